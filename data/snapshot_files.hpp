@@ -1,0 +1,27 @@
+// Snapshot files in and out. Reading tells the format by a file's content, never by its name; a
+// format is one reader file and one line in the list in snapshot_files.cpp. Writing is always
+// VTKHDF (see vtkhdf.hpp), whole or not at all.
+#pragma once
+
+#include "snapshot.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace meniscus {
+
+/// Reads a snapshot of any known format. Throws InputError, naming the file, what was expected
+/// and what was found, where the file is missing, empty, truncated, of no known format, or
+/// inconsistent. Non-finite positions are not an error here: who needs them finite checks.
+Snapshot read_snapshot(const std::filesystem::path& file);
+
+/// SHA-256 of the file's bytes as 64 hexadecimal digits (what `sha256sum` prints). Throws
+/// InputError where the file cannot be read.
+std::string file_hash(const std::filesystem::path& file);
+
+/// Writes bytes to `file` by way of a file beside it that is renamed at the end, so that `file`
+/// appears whole or not at all. Throws InputError where the folder cannot be written to, and
+/// FailureError where writing fails midway (nothing is left behind then).
+void write_whole(const std::filesystem::path& file, std::string_view bytes);
+
+} // namespace meniscus
