@@ -15,12 +15,12 @@ namespace meniscus {
 
 struct LabelledState {
     std::string file;  ///< name without folder
-    std::string hash;  ///< SHA-256 of the file
+    std::string hash;  ///< SHA-256 of the file; empty for a state that was not read from one
     std::string scene; ///< scene_of() unless overridden
     int dimension = 3;
-    double support_radius = 0; ///< h in m
-    double radius_ratio = 0;   ///< r2 / r1 that it was labelled with
-    std::optional<double> particle_spacing;
+    double support_radius = 0;              ///< h in m
+    double radius_ratio = 0;                ///< r2 / r1 that it was labelled with
+    std::optional<double> particle_spacing; ///< initial distance of particles in m
     // One entry a valid particle, in the file's order:
     std::vector<double> mass_offset;           ///< feature x, without unit
     std::vector<std::uint32_t> neighbor_count; ///< feature y
@@ -29,16 +29,38 @@ struct LabelledState {
     [[nodiscard]] std::size_t size() const { return mass_offset.size(); }
 };
 
-/// Takes the state out of a labelled snapshot read from `file`. Throws InputError, naming the file
-/// and what is missing, where it was not labelled (`meniscus label` adds the arrays) or where an
-/// array has a value that is not finite or out of range.
+/// Takes the state out of a labelled snapshot; `file` is for its name and for messages, nothing is
+/// read from it. Throws InputError, naming the file and what is missing, where it was not labelled
+/// (`meniscus label` adds the arrays) or where an array has a value that is not finite or out of
+/// range.
 LabelledState labelled_state(const Snapshot& snapshot, const std::filesystem::path& file);
 
 /// Reads and checks one labelled file; `scene` replaces the file's own where it is not empty.
+/// Throws as read_snapshot and labelled_state do.
 LabelledState read_labelled_state(const std::filesystem::path& file, const std::string& scene);
+
+/// Support radius in particle spacings; nothing where the file does not say the spacing.
+std::optional<double> spacing_ratio(const LabelledState& state);
+
+/// The median, the larger of two; nothing where there are no counts.
+std::optional<double> median(std::vector<std::uint32_t> counts);
 
 /// Neighbor count typical of the bulk: the median over particles with lambda = 0; nothing where
 /// there are none.
 std::optional<double> bulk_neighbor_count(const LabelledState& state);
+
+/// Throws InputError, naming both files, where states differ in dimension or in radius ratio: one
+/// line cannot be trained or judged on them together.
+void check_same_kind(const std::vector<LabelledState>& states);
+
+/// Which states belong to which scene.
+struct SceneGroups {
+    std::vector<std::string> names;    ///< in order of first appearance
+    std::vector<std::size_t> of_state; ///< index into names, one entry a state
+};
+SceneGroups group_by_scene(const std::vector<LabelledState>& states);
+
+/// Throws InputError where a label threshold is not in [0, 1).
+void check_label_threshold(double label_threshold);
 
 } // namespace meniscus

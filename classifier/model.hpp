@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -15,6 +16,12 @@ struct Line {
     double k = 0;
     double d = 0;
 };
+
+/// True for surface: what the runtime answers for a particle with these features, up to rounding
+/// (which d_margin covers). A particle without a counted neighbor is surface whatever the line.
+inline bool predicts_surface(const Line& line, double mass_offset, std::uint32_t neighbor_count) {
+    return neighbor_count == 0 || neighbor_count <= line.k * mass_offset + line.d;
+}
 
 struct Range {
     double min = 0;
@@ -32,7 +39,7 @@ struct TrainingFile {
 struct Model {
     Line line;
     int dimension = 3;
-    double radius_ratio = 0.8;
+    double radius_ratio = 0.8;                ///< r2 / r1 of the labels
     double label_threshold = 0;               ///< surface means lambda above this
     std::string objective;                    ///< "neyman-pearson", "logistic", "network", ...
     double d_margin = 0;                      ///< part of d that is there for rounding, neighbors
@@ -42,7 +49,8 @@ struct Model {
     std::string boundary_rule = "boundary particles do not count";
     std::vector<TrainingFile> training_files; ///< empty for a line from elsewhere
     std::size_t false_negatives = 0;          ///< on the training files
-    std::size_t false_positives = 0;
+    std::size_t false_positives = 0;          ///< on the training files
+    std::string file;                         ///< where it was read from, for messages; not stored
 };
 
 /// Reads a model. Throws InputError, naming file and key, where it is no JSON, where a key is
@@ -50,11 +58,30 @@ struct Model {
 /// format version is unknown.
 Model read_model(const std::filesystem::path& file);
 
-/// The model as JSON text (stable key order, numbers that read back to the same bits).
+/// A model from JSON text; `file` is for messages. Throws as read_model does.
+Model model_from_json(const std::string& text, const std::filesystem::path& file);
+
+/// The model as JSON text (stable key order, numbers that read back to the same bits), ending in a
+/// line break.
 std::string model_to_json(const Model& model);
 
-/// The self-contained coefficient header for the runtime: a struct of constexpr values, no include,
-/// provenance as comments. `struct_name` must be a C++ identifier, else InputError.
-std::string coefficient_header(const Model& model, const std::string& struct_name);
+/// Throws InputError, naming model and file, where the model was trained in another dimension than
+/// the file has.
+void check_dimension(const Model& model, int dimension, const std::string& file);
+
+/// Throws InputError, naming model and file, where the model was trained on labels of another
+/// radius ratio than the file has.
+void check_radius_ratio(const Model& model, double radius_ratio, const std::string& file);
+
+/// What a model is about to be used on.
+struct ModelUse {
+    std::string file;                          ///< for messages; may be empty
+    std::optional<double> spacing_ratio;       ///< h / particle spacing
+    std::optional<double> bulk_neighbor_count; ///< typical neighbor count inside
+};
+
+/// One line that names the trained ranges and the value farthest outside each; empty where all
+/// uses lie inside, or where the model does not know its ranges.
+std::string outside_trained_range(const Model& model, const std::vector<ModelUse>& uses);
 
 } // namespace meniscus

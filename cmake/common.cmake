@@ -8,6 +8,9 @@ foreach(folder runtime data labeler classifier)
         SYMBOLIC)
 endforeach()
 
+configure_file(${PROJECT_SOURCE_DIR}/cmake/version.hpp.in
+    ${PROJECT_BINARY_DIR}/include/meniscus/version.hpp @ONLY)
+
 # Warnings for our own code; -ffp-contract=off because the same input must give the same bits on
 # every x86-64 machine, and a compiler that fuses a multiplication with an addition does not.
 add_library(meniscus_settings INTERFACE)

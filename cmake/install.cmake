@@ -1,0 +1,27 @@
+# What `cmake --install` puts where, and the package files for find_package(meniscus).
+include(CMakePackageConfigHelpers)
+
+foreach(folder runtime data labeler)
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}/
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/meniscus/${folder}
+        FILES_MATCHING PATTERN "*.hpp")
+endforeach()
+install(FILES ${PROJECT_BINARY_DIR}/include/meniscus/version.hpp
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/meniscus)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/samples/
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/meniscus/samples FILES_MATCHING PATTERN "*.vtkhdf")
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/configs/models/
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/meniscus/models FILES_MATCHING PATTERN "*.json")
+
+install(TARGETS meniscus_runtime meniscus_neighbor_search meniscus_data meniscus_labeler
+    EXPORT meniscus_targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(EXPORT meniscus_targets FILE meniscusTargets.cmake NAMESPACE meniscus::
+    DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/meniscus)
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/meniscusConfig.cmake.in
+    ${PROJECT_BINARY_DIR}/meniscusConfig.cmake
+    INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/meniscus)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/meniscusConfigVersion.cmake
+    COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/meniscusConfig.cmake
+    ${PROJECT_BINARY_DIR}/meniscusConfigVersion.cmake
+    DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/meniscus)

@@ -14,7 +14,8 @@
 namespace meniscus {
 
 /// Neighbor lists in compressed rows: the neighbors of particle i are
-/// neighbors[offsets[i]] ... neighbors[offsets[i + 1] - 1], in ascending order, without i itself.
+/// neighbors[offsets[i]] ... neighbors[offsets[i + 1] - 1], without i itself, in an order that depends
+/// on the positions alone.
 struct NeighborLists {
     std::vector<std::size_t> offsets; ///< size: particles + 1
     std::vector<std::uint32_t> neighbors;

@@ -5,8 +5,10 @@
 
 #include "snapshot.hpp"
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace meniscus {
 
@@ -14,6 +16,10 @@ namespace meniscus {
 /// and what was found, where the file is missing, empty, truncated, of no known format, or
 /// inconsistent. Non-finite positions are not an error here: who needs them finite checks.
 Snapshot read_snapshot(const std::filesystem::path& file);
+
+/// The file's bytes, at most the first `most`. Throws InputError where the file is missing, empty,
+/// no regular file, or cannot be read.
+std::string read_whole(const std::filesystem::path& file, std::size_t most = std::string::npos);
 
 /// SHA-256 of the file's bytes as 64 hexadecimal digits (what `sha256sum` prints). Throws
 /// InputError where the file cannot be read.

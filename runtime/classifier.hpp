@@ -11,8 +11,7 @@
 #include "features.hpp"
 
 #include <cstdint>
-#include <cstring>
-#include <type_traits>
+#include <limits>
 
 namespace meniscus {
 inline namespace MENISCUS_INSTRUCTION_SET {
@@ -33,14 +32,10 @@ constexpr SurfaceLine<Real> surface_line() {
 /// Tests the bits, because -ffast-math lets a compiler assume that std::isfinite is always true.
 template <class Real>
 bool is_finite(Real value) {
-    static_assert(std::is_same_v<Real, float> || std::is_same_v<Real, double>);
-    using Bits = std::conditional_t<std::is_same_v<Real, float>, std::uint32_t, std::uint64_t>;
-    constexpr Bits exponent = std::is_same_v<Real, float>
-                                  ? static_cast<Bits>(0x7f800000U)
-                                  : static_cast<Bits>(0x7ff0000000000000ULL);
-    Bits bits;
-    std::memcpy(&bits, &value, sizeof bits);
-    return (bits & exponent) != exponent;
+    constexpr auto sign_bit = sizeof(Real) * 8 - 1;
+    const auto magnitude = static_cast<decltype(bits_of(value))>(bits_of(value) << 1) >> 1;
+    static_assert(sizeof(magnitude) * 8 - 1 == sign_bit);
+    return magnitude < bits_of(std::numeric_limits<Real>::infinity());
 }
 
 /// True for surface. A particle without neighbors is surface, and so is one whose features are
@@ -50,20 +45,27 @@ bool is_surface(const FeatureSum<Real, Dimension>& sum, const SurfaceLine<Real>&
                 Real support_radius) {
     if (sum.count == 0)
         return true;
-    const Real x = mass_offset(sum, support_radius);
-    return static_cast<Real>(sum.count) <= line.k * x + line.d || !is_finite(x);
+    // y - d <= k x, both sides squared: that saves the square root in x. Dividing first keeps
+    // small masses and radii from underflowing.
+    const Real above = static_cast<Real>(sum.count) - line.d;
+    const Real inverse = 1 / (support_radius * sum.total_mass());
+    Real right_squared = 0;
+    for (int axis = 0; axis < Dimension; ++axis) {
+        const Real term = line.k * (sum.moment[axis] * inverse);
+        right_squared += term * term;
+    }
+    const bool right_is_larger = above * above <= right_squared;
+    const bool below = line.k >= 0 ? above <= 0 || right_is_larger
+                                   : above <= 0 && (!right_is_larger || right_squared == 0);
+    return below || !is_finite(right_squared);
 }
 
-/// Classifies particles `begin` to `end - 1` of a neighborhood view with the line of an exported
-/// coefficient struct: surface[i] becomes 1 or 0. Returns how many are surface. Ranges that do not
-/// overlap may run concurrently. Refuses coefficients of another dimension at compile time.
-template <class Coefficients, class Real, int Dimension, class View>
+/// Classifies particles `begin` to `end - 1` of a neighborhood view: surface[i] becomes 1 or 0.
+/// Returns how many are surface. Ranges that do not overlap may run concurrently.
+template <class Real, int Dimension, class View>
 std::size_t classify(const View& view, std::size_t begin, std::size_t end, Real support_radius,
+                     const SurfaceLine<Real>& line, const NeighborRange<Real>& range,
                      std::uint8_t* surface) {
-    static_assert(Coefficients::dimension == Dimension,
-                  "these coefficients were trained in another dimension");
-    const auto line = surface_line<Coefficients, Real>();
-    const auto range = neighbor_range<Real>(support_radius, Coefficients::radius_ratio);
     std::size_t found = 0;
     for (std::size_t i = begin; i < end; ++i) {
         const auto sum = sum_features<Real, Dimension>(view, i, range);
@@ -71,6 +73,18 @@ std::size_t classify(const View& view, std::size_t begin, std::size_t end, Real 
         found += surface[i];
     }
     return found;
+}
+
+/// The same with the line and radius ratio of an exported coefficient struct. Refuses coefficients
+/// of another dimension at compile time.
+template <class Coefficients, class Real, int Dimension, class View>
+std::size_t classify(const View& view, std::size_t begin, std::size_t end, Real support_radius,
+                     std::uint8_t* surface) {
+    static_assert(Coefficients::dimension == Dimension,
+                  "these coefficients were trained in another dimension");
+    return classify<Real, Dimension>(
+        view, begin, end, support_radius, surface_line<Coefficients, Real>(),
+        neighbor_range<Real>(support_radius, Coefficients::radius_ratio), surface);
 }
 
 } // namespace MENISCUS_INSTRUCTION_SET

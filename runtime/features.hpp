@@ -4,6 +4,7 @@
 // its density loop: one FeatureSum a particle, one add() a neighbor.
 #pragma once
 
+#include "lanes.hpp"
 #include "neighborhood.hpp"
 
 #include <cmath>
@@ -15,7 +16,7 @@ inline namespace MENISCUS_INSTRUCTION_SET {
 template <class Real, int Dimension>
 struct FeatureSum {
     Real moment[Dimension] = {}; ///< sum of m_j (x_j - x_i) in kg m
-    Real mass = 0;               ///< sum of m_j in kg
+    Real mass = 0;               ///< sum of m_j in kg; 0: all masses are 1
     int count = 0;               ///< number of neighbors
 
     /// Adds a particle at `displacement` = x_j - x_i (m), whose squared length (m^2) the caller
@@ -23,23 +24,39 @@ struct FeatureSum {
     template <class Vector>
     void add(const Vector& displacement, Real distance_squared, Real neighbor_mass,
              const NeighborRange<Real>& range) {
-        const bool counts = range.contains(distance_squared);
-        const Real weight = counts ? neighbor_mass : Real(0);
+        // A branch, not a mask: hosts deliver little else than neighbors, so it is predicted.
+        if (!range.contains(distance_squared))
+            return;
         for (int axis = 0; axis < Dimension; ++axis)
-            moment[axis] += weight * displacement[axis];
-        mass += weight;
-        count += static_cast<int>(counts);
+            moment[axis] += neighbor_mass * displacement[axis];
+        mass += neighbor_mass;
+        ++count;
     }
 
-    /// As above, with the squared length worked out here.
+    /// The same where all particles have the same mass, which then cancels out and costs nothing.
+    /// Not to be mixed with the other.
     template <class Vector>
-    void add(const Vector& displacement, Real neighbor_mass, const NeighborRange<Real>& range) {
-        Real distance_squared = 0;
+    void add_equal_mass(const Vector& displacement, Real distance_squared,
+                        const NeighborRange<Real>& range) {
+        if (!range.contains(distance_squared))
+            return;
         for (int axis = 0; axis < Dimension; ++axis)
-            distance_squared += displacement[axis] * displacement[axis];
-        add(displacement, distance_squared, neighbor_mass, range);
+            moment[axis] += displacement[axis];
+        ++count;
     }
+
+    /// What `mass` stands for: their number where all masses are 1.
+    [[nodiscard]] Real total_mass() const { return mass == 0 ? static_cast<Real>(count) : mass; }
 };
+
+/// Squared length of a displacement.
+template <class Real, int Dimension, class Vector>
+Real squared_length(const Vector& displacement) {
+    Real sum = 0;
+    for (int axis = 0; axis < Dimension; ++axis)
+        sum += displacement[axis] * displacement[axis];
+    return sum;
+}
 
 /// Feature x (eq. 1): |sum_j m_j (x_j - x_i)| / (h sum_j m_j), without unit, between 0 and 1; 0
 /// where there is no neighbor.
@@ -47,22 +64,137 @@ template <class Real, int Dimension>
 Real mass_offset(const FeatureSum<Real, Dimension>& sum, Real support_radius) {
     if (sum.count == 0)
         return 0;
-    Real moment_squared = 0;
-    for (int axis = 0; axis < Dimension; ++axis)
-        moment_squared += sum.moment[axis] * sum.moment[axis];
-    return std::sqrt(moment_squared) / (support_radius * sum.mass);
+    return std::sqrt(squared_length<Real, Dimension>(sum.moment)) /
+           (support_radius * sum.total_mass());
+}
+
+/// The sums of particle i over any neighborhood view: the plain reference.
+template <class Real, int Dimension, class View>
+FeatureSum<Real, Dimension> sum_features_reference(const View& view, std::size_t i,
+                                                   const NeighborRange<Real>& range) {
+    FeatureSum<Real, Dimension> sum;
+    view(i, [&](std::size_t, const auto& displacement, Real mass) {
+        sum.add(displacement, squared_length<Real, Dimension>(displacement), mass, range);
+    });
+    return sum;
 }
 
 /// The sums of particle i over a neighborhood view.
 template <class Real, int Dimension, class View>
 FeatureSum<Real, Dimension> sum_features(const View& view, std::size_t i,
                                          const NeighborRange<Real>& range) {
+    return sum_features_reference<Real, Dimension>(view, i, range);
+}
+
+template <bool EqualMasses, class Real, int Dimension, int Stride, class Offset, class Index>
+FeatureSum<Real, Dimension>
+sum_all(const ExactCsrNeighborhood<Real, Dimension, Stride, Offset, Index>& view,
+        std::size_t i) {
     FeatureSum<Real, Dimension> sum;
-    view(i, [&](std::size_t, const auto& displacement, Real mass) {
-        sum.add(displacement, mass, range);
-    });
+    const Real* center = view.positions + i * Stride;
+    for (Offset n = view.offsets[i]; n < view.offsets[i + 1]; ++n) {
+        const auto j = static_cast<std::size_t>(view.neighbors[n]);
+        const Real mass = EqualMasses ? Real(1) : view.masses[j];
+        for (int axis = 0; axis < Dimension; ++axis)
+            sum.moment[axis] += mass * (view.positions[j * Stride + axis] - center[axis]);
+        if (!EqualMasses)
+            sum.mass += mass;
+    }
+    sum.count = static_cast<int>(view.offsets[i + 1] - view.offsets[i]);
     return sum;
 }
+
+/// The sums where the lists are exact: gather and add.
+template <class Real, int Dimension, int Stride, class Offset, class Index>
+FeatureSum<Real, Dimension>
+sum_features(const ExactCsrNeighborhood<Real, Dimension, Stride, Offset, Index>& view,
+             std::size_t i, const NeighborRange<Real>& /*range*/) {
+    return view.masses == nullptr ? sum_all<true>(view, i) : sum_all<false>(view, i);
+}
+
+#if defined(__SSE2__)
+
+/// Adds up neighbors a vector at a time.
+template <class Real, int Dimension, int Stride>
+struct LaneSums {
+    using Lanes = typename LanesOf<Real>::Type;
+
+    Lanes center[Dimension];
+    Lanes inner;
+    Lanes outer;
+    Lanes moment[Dimension];
+    Lanes mass;
+    Lanes count;
+
+    LaneSums(const Real* position, const NeighborRange<Real>& range)
+        : inner(Lanes::all(range.inner_squared)), outer(Lanes::all(range.outer_squared)),
+          mass(Lanes::all(0)), count(Lanes::all(0)) {
+        for (int axis = 0; axis < Dimension; ++axis) {
+            center[axis] = Lanes::all(position[axis]);
+            moment[axis] = Lanes::all(0);
+        }
+    }
+
+    /// Adds the neighbors at `neighbors`, one a lane; of the first lanes none where Part is set, so
+    /// that only the last `taken` are added.
+    template <bool Part, class Index>
+    void add(const Real* positions, const Real* masses, const Index* neighbors, int taken) {
+        const Real* from[Lanes::count];
+        for (int lane = 0; lane < Lanes::count; ++lane)
+            from[lane] = positions + static_cast<std::size_t>(neighbors[lane]) * Stride;
+        Lanes displacement[Dimension];
+        Lanes::pairs_of(from, displacement[0], displacement[1]);
+        if constexpr (Dimension == 3)
+            displacement[2] = Lanes::singles_of(from, 2);
+        for (int axis = 0; axis < Dimension; ++axis)
+            displacement[axis] = displacement[axis] - center[axis];
+        Lanes squared = displacement[0] * displacement[0];
+        for (int axis = 1; axis < Dimension; ++axis)
+            squared = squared + displacement[axis] * displacement[axis];
+        Lanes counts = (inner < squared) & (squared < outer);
+        if (Part)
+            counts = counts & Lanes::last(taken);
+        count = count + (counts & Lanes::all(1));
+        if (masses == nullptr) {
+            for (int axis = 0; axis < Dimension; ++axis)
+                moment[axis] = moment[axis] + (counts & displacement[axis]);
+            return;
+        }
+        for (int lane = 0; lane < Lanes::count; ++lane)
+            from[lane] = masses + static_cast<std::size_t>(neighbors[lane]);
+        const Lanes weight = counts & Lanes::singles_of(from, 0);
+        mass = mass + weight;
+        for (int axis = 0; axis < Dimension; ++axis)
+            moment[axis] = moment[axis] + weight * displacement[axis];
+    }
+};
+
+/// The sums over lists in compressed rows, a vector of neighbors at a time.
+template <class Real, int Dimension, int Stride, class Offset, class Index>
+MENISCUS_INLINE FeatureSum<Real, Dimension>
+sum_features(const CsrNeighborhood<Real, Dimension, Stride, Offset, Index>& view, std::size_t i,
+             const NeighborRange<Real>& range) {
+    using Sums = LaneSums<Real, Dimension, Stride>;
+    constexpr int lanes = Sums::Lanes::count;
+    const Index* begin = view.neighbors + view.offsets[i];
+    const Index* end = view.neighbors + view.offsets[i + 1];
+    if (end - begin < lanes) // too few for a vector
+        return sum_features_reference<Real, Dimension>(view, i, range);
+    Sums sums(view.positions + i * Stride, range);
+    for (; end - begin >= lanes; begin += lanes)
+        sums.template add<false>(view.positions, view.masses, begin, lanes);
+    // The rest together with some that were added already, which are masked out.
+    sums.template add<true>(view.positions, view.masses, end - lanes,
+                            static_cast<int>(end - begin));
+    FeatureSum<Real, Dimension> sum;
+    for (int axis = 0; axis < Dimension; ++axis)
+        sum.moment[axis] = sums.moment[axis].sum();
+    sum.mass = sums.mass.sum();
+    sum.count = static_cast<int>(sums.count.sum());
+    return sum;
+}
+
+#endif
 
 } // namespace MENISCUS_INSTRUCTION_SET
 } // namespace meniscus

@@ -23,3 +23,10 @@
 #endif
 #define MENISCUS_INSTRUCTION_SET_EXPAND(name) MENISCUS_INSTRUCTION_SET_JOIN(name)
 #define MENISCUS_INSTRUCTION_SET MENISCUS_INSTRUCTION_SET_EXPAND(MENISCUS_INSTRUCTION_SET_NAME)
+
+// For the few functions whose result the compiler would otherwise pass through memory.
+#if defined(__GNUC__)
+#define MENISCUS_INLINE inline __attribute__((always_inline))
+#else
+#define MENISCUS_INLINE inline
+#endif

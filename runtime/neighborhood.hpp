@@ -12,6 +12,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <type_traits>
 
 namespace meniscus {
 inline namespace MENISCUS_INSTRUCTION_SET {
@@ -23,18 +25,29 @@ inline namespace MENISCUS_INSTRUCTION_SET {
 /// thousand has a pair inside it.
 inline constexpr double neighbor_band = 1e-5;
 
+/// The bits of a floating-point number as an unsigned integer. For numbers that are not negative
+/// their order is that of the numbers; infinity and NaN come last.
+template <class Real>
+auto bits_of(Real value) {
+    static_assert(std::is_same_v<Real, float> || std::is_same_v<Real, double>);
+    std::conditional_t<std::is_same_v<Real, float>, std::uint32_t, std::uint64_t> bits;
+    std::memcpy(&bits, &value, sizeof bits);
+    return bits;
+}
+
 /// Which distances make a neighbor: farther than the radius at which its sphere (r2) still lies
 /// inside the particle's own (r1 - r2; closer ones cover nothing, so hundreds of particles in one
 /// place are all surface) and closer than the support radius, each by the neighbor band.
 template <class Real>
 struct NeighborRange {
-    Real inner_squared; ///< m^2
+    Real inner_squared; ///< m^2, not negative
     Real outer_squared; ///< m^2
 
+    /// True for distances strictly between the limits. One comparison of integers in place of two
+    /// of numbers, and right for NaN even under -ffast-math.
     [[nodiscard]] bool contains(Real distance_squared) const {
-        // One & in place of &&: both tests are cheaper than a branch.
-        return static_cast<bool>(static_cast<int>(distance_squared > inner_squared) &
-                                 static_cast<int>(distance_squared < outer_squared));
+        const auto above_inner = bits_of(distance_squared) - bits_of(inner_squared) - 1;
+        return above_inner < bits_of(outer_squared) - bits_of(inner_squared) - 1;
     }
 };
 
@@ -70,6 +83,13 @@ struct CsrNeighborhood {
         }
     }
 };
+
+/// The same lists with a promise: all that they hold lies within the NeighborRange, as when the
+/// search was made with its outer limit and no two particles are as close as its inner one. Then
+/// nothing is tested, which takes a third less time.
+template <class Real, int Dimension, int Stride = Dimension, class Offset = std::size_t,
+          class Index = std::uint32_t>
+struct ExactCsrNeighborhood : CsrNeighborhood<Real, Dimension, Stride, Offset, Index> {};
 
 } // namespace MENISCUS_INSTRUCTION_SET
 } // namespace meniscus

@@ -1,0 +1,80 @@
+// meniscus classify: the runtime on files. Writes what a solver that uses the model would see.
+#include "label.hpp"
+
+#include <meniscus/classifier/audit.hpp>
+#include <meniscus/classifier/classify_snapshot.hpp>
+#include <meniscus/data/errors.hpp>
+#include <meniscus/data/snapshot_files.hpp>
+#include <meniscus/data/vtkhdf.hpp>
+#include <meniscus/version.hpp>
+
+#include <fmt/format.h>
+#include <memory>
+#include <numeric>
+
+namespace meniscus {
+namespace {
+
+struct ClassifyCommand {
+    InputsAndFolder files;
+    InputOptions input;
+    Path model;
+    bool skip_invalid = false;
+    int threads = 0;
+    bool quiet = false;
+};
+
+void classify_file(const Path& input, const Path& output, const Model& model,
+                   const std::string& model_hash, const ClassifyCommand& command) {
+    Snapshot snapshot = read_input(input, command.input);
+    earlier_output(output, "predicted_surface");
+    const Classes classes =
+        classify_snapshot(snapshot, model, {command.skip_invalid, command.threads});
+    set_array(snapshot, {"predicted_surface", 1, classes.surface});
+    set_array(snapshot, {"valid", 1, classes.valid});
+    snapshot.provenance["program"] = std::string("meniscus ") + program_version;
+    snapshot.provenance["input_hash"] = file_hash(input);
+    snapshot.provenance["model_hash"] = model_hash;
+    {
+        const WriteGuard guard;
+        write_vtkhdf(snapshot, output);
+    }
+    for (const std::string& warning : classes.warnings)
+        print_error_line("warning: " + input.string() + ": " + warning);
+    if (!command.quiet)
+        fmt::print("{}: {} particles in {}D, {} taken for surface\n", output.string(),
+                   snapshot.size(), snapshot.dimension,
+                   std::accumulate(classes.surface.begin(), classes.surface.end(), 0UL));
+}
+
+void run_classify(const ClassifyCommand& command) {
+    const Model model = read_model(command.model);
+    const std::string model_hash = file_hash(command.model);
+    const auto outputs = output_files(command.files);
+    make_writable_folder(command.files.folder);
+    for (std::size_t f = 0; f < outputs.size(); ++f)
+        naming_file(command.files.inputs[f], [&] {
+            classify_file(command.files.inputs[f], outputs[f], model, model_hash, command);
+        });
+}
+
+} // namespace
+
+void add_classify(CLI::App& command) {
+    auto options = std::make_shared<ClassifyCommand>();
+    auto* verb = command.add_subcommand(
+        "classify", "Apply a model to snapshots, as a solver would: class of each particle");
+    verb->add_option("INPUT", options->files.inputs, "Snapshots, as for label")->required();
+    verb->add_option("--model", options->model, "Model file")->required();
+    verb->add_option("-o,--output", options->files.folder,
+                     "Folder for the classified snapshots, DIR/<stem of INPUT>.vtkhdf")
+        ->required();
+    add_input_options(*verb, options->input);
+    verb->add_flag("--skip-invalid", options->skip_invalid,
+                   "Leave particles whose position is not finite out, with valid = 0");
+    add_threads_option(*verb, options->threads);
+    add_quiet_option(*verb, options->quiet);
+    verb->callback([options] { run_classify(*options); });
+}
+
+} // namespace meniscus

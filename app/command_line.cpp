@@ -1,0 +1,148 @@
+#include "command_line.hpp"
+
+#include <meniscus/data/errors.hpp>
+
+#include <csignal>
+#include <cstdio>
+#include <fmt/format.h>
+#include <limits>
+#include <map>
+#include <system_error>
+#include <unistd.h>
+
+namespace meniscus {
+namespace {
+
+volatile std::sig_atomic_t writing = 0;
+volatile std::sig_atomic_t interrupt_waits = 0;
+
+[[noreturn]] void end_interrupted() {
+    constexpr char message[] = "meniscus: interrupted\n";
+    [[maybe_unused]] const auto written = write(STDERR_FILENO, message, sizeof message - 1);
+    _exit(130);
+}
+
+void on_interrupt(int /*signal*/) {
+    if (writing == 0)
+        end_interrupted();
+    interrupt_waits = 1;
+}
+
+} // namespace
+
+void install_interrupt_handler() {
+    struct sigaction action = {};
+    action.sa_handler = on_interrupt;
+    sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGTERM, &action, nullptr);
+    std::signal(SIGXFSZ, SIG_IGN);
+}
+
+WriteGuard::WriteGuard() {
+    writing = 1;
+}
+
+WriteGuard::~WriteGuard() {
+    writing = 0;
+    if (interrupt_waits != 0)
+        end_interrupted();
+}
+
+void add_quiet_option(CLI::App& verb, bool& quiet) {
+    verb.add_flag("-q,--quiet", quiet, "Print nothing but errors and warnings");
+}
+
+void add_threads_option(CLI::App& verb, int& threads) {
+    verb.add_option("--threads", threads, "Threads; 0: all cores")
+        ->check(CLI::Range(0, 1024))
+        ->capture_default_str();
+}
+
+CLI::Range whole_numbers() {
+    // Signed, because the reader of unsigned numbers takes -1 for the largest of them.
+    return {std::int64_t{0}, std::numeric_limits<std::int64_t>::max()};
+}
+
+void print_error_line(const std::string& message) {
+    std::string line = message;
+    for (char& c : line)
+        if (c == '\n' || c == '\r')
+            c = ' ';
+    fmt::print(stderr, "meniscus: {}\n", line);
+}
+
+void check_is_not_an_input(const Path& output, const std::vector<Path>& inputs) {
+    for (const Path& input : inputs) {
+        std::error_code ignored;
+        if (std::filesystem::equivalent(input, output, ignored))
+            throw InputError(fmt::format("output {} would overwrite the input of that name; choose "
+                                         "another name with -o",
+                                         output.string()));
+    }
+}
+
+std::vector<Path> output_files(const InputsAndFolder& files) {
+    std::map<Path, Path> input_of;
+    std::vector<Path> outputs;
+    for (const Path& input : files.inputs) {
+        if (!std::filesystem::exists(input))
+            throw InputError(fmt::format("{}: no such file", input.string()));
+        outputs.push_back(files.folder / input.stem().concat(".vtkhdf"));
+        const auto [other, is_new] = input_of.emplace(outputs.back(), input);
+        if (!is_new)
+            throw InputError(fmt::format("{} and {} would both be written to {}; label them into "
+                                         "different folders",
+                                         other->second.string(), input.string(),
+                                         outputs.back().string()));
+    }
+    for (const Path& output : outputs)
+        check_is_not_an_input(output, files.inputs);
+    return outputs;
+}
+
+void make_writable_folder(const Path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error)
+        throw InputError(fmt::format("{}: cannot create the output folder: {}", folder.string(),
+                                     error.message()));
+    if (access(folder.c_str(), W_OK) != 0)
+        throw InputError(fmt::format("{}: the output folder is not writable", folder.string()));
+}
+
+void naming_file(const Path& file, const std::function<void()>& work) {
+    try {
+        work();
+    } catch (const InputError& error) {
+        const std::string message = error.what();
+        if (message.find(file.string()) != std::string::npos)
+            throw;
+        throw InputError(file.string() + ": " + message);
+    }
+}
+
+std::string shortest(double value) {
+    return fmt::format("{}", value);
+}
+
+ProgressBar::ProgressBar(std::string title, std::size_t total, bool quiet)
+    : title(std::move(title)), total(total), visible(!quiet && isatty(STDERR_FILENO) != 0) {}
+
+ProgressBar::~ProgressBar() {
+    if (shown_percent >= 0)
+        std::fputs("\r\033[K", stderr);
+}
+
+void ProgressBar::show(std::size_t done) {
+    const int percent = total == 0 ? 100 : static_cast<int>(100 * done / total);
+    if (!visible || percent == shown_percent)
+        return;
+    shown_percent = percent;
+    constexpr int width = 40;
+    const int filled = percent * width / 100;
+    fmt::print(stderr, "\r{} [{:=<{}}{: <{}}] {:3} %", title, "", filled, "", width - filled,
+               percent);
+    std::fflush(stderr);
+}
+
+} // namespace meniscus

@@ -1,0 +1,97 @@
+// What all verbs of the `meniscus` command share: how they are registered, how they report, and
+// how they name files. A verb is one file with one function that adds it to the command.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace meniscus {
+
+using Path = std::filesystem::path;
+
+/// A limit that the user asked for is exceeded: exit status 1.
+class LimitExceeded : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+// The verbs.
+void add_label(CLI::App& command);
+void add_train(CLI::App& command);
+void add_export(CLI::App& command);
+void add_audit(CLI::App& command);
+void add_classify(CLI::App& command);
+void add_demo(CLI::App& command);
+
+/// Adds --quiet to a verb.
+void add_quiet_option(CLI::App& verb, bool& quiet);
+
+/// Adds --threads to a verb.
+void add_threads_option(CLI::App& verb, int& threads);
+
+/// What a seed or a count may be.
+CLI::Range whole_numbers();
+
+/// Prints one line on standard error, whatever a file's name contains.
+void print_error_line(const std::string& message);
+
+/// The inputs that label and classify take and where their outputs go.
+struct InputsAndFolder {
+    std::vector<Path> inputs;
+    Path folder;
+};
+
+/// Output of each input: folder/<stem of input>.vtkhdf. Throws InputError where an input does not
+/// exist, where two inputs have one output name, or where an output would fall on an input.
+std::vector<Path> output_files(const InputsAndFolder& files);
+
+/// Creates the folder where it is missing; throws InputError where it cannot be written to.
+void make_writable_folder(const Path& folder);
+
+/// Throws InputError where `output` is one of the files that it is made from.
+void check_is_not_an_input(const Path& output, const std::vector<Path>& inputs);
+
+/// Calls `work`; an InputError without the file's name gets it in front.
+void naming_file(const Path& file, const std::function<void()>& work);
+
+/// The number in the shortest form that reads back to the same value.
+std::string shortest(double value);
+
+/// A bar on standard error while something long runs; silent where that is no terminal.
+class ProgressBar {
+public:
+    ProgressBar(std::string title, std::size_t total, bool quiet);
+    ~ProgressBar();
+    ProgressBar(const ProgressBar&) = delete;
+    ProgressBar& operator=(const ProgressBar&) = delete;
+
+    void show(std::size_t done);
+
+private:
+    std::string title;
+    std::size_t total;
+    bool visible;
+    int shown_percent = -1;
+};
+
+/// From now on an interrupt (Ctrl-C, SIGTERM) ends the program with status 130, at once or, while
+/// a file is being written, right after: files appear whole or not at all. A file that outgrows a
+/// limit on its size becomes an ordinary error of writing.
+void install_interrupt_handler();
+
+/// While one lives, an interrupt waits.
+class WriteGuard {
+public:
+    WriteGuard();
+    ~WriteGuard();
+    WriteGuard(const WriteGuard&) = delete;
+    WriteGuard& operator=(const WriteGuard&) = delete;
+};
+
+} // namespace meniscus

@@ -1,0 +1,97 @@
+// meniscus demo: the whole chain on the samples that ship with the project.
+#include "label.hpp"
+
+#include <meniscus/classifier/audit.hpp>
+#include <meniscus/classifier/header_export.hpp>
+#include <meniscus/classifier/trainer.hpp>
+#include <meniscus/data/errors.hpp>
+#include <meniscus/data/snapshot_files.hpp>
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <memory>
+
+namespace meniscus {
+namespace {
+
+struct DemoCommand {
+    Path folder = "meniscus-demo";
+    double label_threshold = 0.02;
+    bool quiet = false;
+};
+
+/// The samples of an installed program, else those of the source tree that it was built from.
+std::vector<Path> sample_files() {
+    std::error_code ignored;
+    const Path program = std::filesystem::read_symlink("/proc/self/exe", ignored);
+    const Path installed = program.parent_path().parent_path() / "share/meniscus/samples";
+    const Path folder =
+        std::filesystem::is_directory(installed) ? installed : Path(MENISCUS_SOURCE_SAMPLES);
+    std::vector<Path> files;
+    if (std::filesystem::is_directory(folder))
+        for (const auto& entry : std::filesystem::directory_iterator(folder))
+            if (entry.path().extension() == ".vtkhdf")
+                files.push_back(entry.path());
+    if (files.empty())
+        throw InputError(fmt::format("{}: the sample snapshots are missing; install the project "
+                                     "again or run the demo from its source tree",
+                                     folder.string()));
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+Model train_on(const std::vector<Path>& labelled, double label_threshold) {
+    std::vector<LabelledState> states;
+    for (const Path& file : labelled)
+        states.push_back(read_labelled_state(file, ""));
+    TrainingOptions options;
+    options.label_threshold = label_threshold;
+    return train(states, options);
+}
+
+void run_demo(const DemoCommand& command) {
+    LabelCommand labelling;
+    labelling.files = {sample_files(), command.folder / "labelled"};
+    labelling.quiet = command.quiet;
+    if (!command.quiet)
+        fmt::print("Labelling {} snapshots, {} directions a particle:\n",
+                   labelling.files.inputs.size(), labelling.label.samples);
+    const auto labelled = run_label(labelling);
+
+    const Model model = train_on(labelled, command.label_threshold);
+    const Path model_file = command.folder / "model.json";
+    const Path header_file = command.folder / "surface_coefficients.hpp";
+    const std::string header = coefficient_header(model, "SurfaceCoefficients");
+    {
+        const WriteGuard guard;
+        write_whole(model_file, model_to_json(model));
+        write_whole(header_file, header);
+    }
+    AuditOptions options;
+    options.label_threshold = command.label_threshold;
+    const AuditReport report = audit(model, labelled, options);
+    if (command.quiet)
+        return;
+    fmt::print("\nThe line (a particle is surface where y <= k x + d):\n"
+               "  k = {:.4f}, d = {:.4f}    {}\n",
+               model.line.k, model.line.d, model_file.string());
+    fmt::print("\nAudit on the snapshots that it was trained on:\n{}", to_table(report));
+    fmt::print("\nThe header for your solver, {}:\n\n{}", header_file.string(), header);
+}
+
+} // namespace
+
+void add_demo(CLI::App& command) {
+    auto options = std::make_shared<DemoCommand>();
+    auto* verb = command.add_subcommand(
+        "demo", "Label, train, export and audit on the snapshots that ship with the project");
+    verb->add_option("-o,--output", options->folder, "Folder for what it writes")
+        ->capture_default_str();
+    verb->add_option("--label-threshold", options->label_threshold,
+                     "Surface means an uncovered fraction above this")
+        ->capture_default_str();
+    add_quiet_option(*verb, options->quiet);
+    verb->callback([options] { run_demo(*options); });
+}
+
+} // namespace meniscus

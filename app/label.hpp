@@ -1,0 +1,44 @@
+// The work of `meniscus label`, which the demo runs too.
+#pragma once
+
+#include "command_line.hpp"
+
+#include <meniscus/data/snapshot.hpp>
+#include <meniscus/labeler/labeler.hpp>
+
+#include <optional>
+
+namespace meniscus {
+
+/// What the user says of the inputs where the files do not.
+struct InputOptions {
+    std::optional<double> support_radius;   ///< m
+    std::optional<double> particle_spacing; ///< m
+    std::optional<int> dimension;           ///< 2 or 3
+    std::string scene;
+};
+
+/// Adds the options above to a verb.
+void add_input_options(CLI::App& verb, InputOptions& options);
+
+/// Reads a snapshot of any format and completes it with the options. The support radius is that of
+/// the options, else the stored one, else the constant value of a `support_radius` array. Throws
+/// InputError where there is none, or where a number is not positive and finite.
+Snapshot read_input(const Path& file, const InputOptions& options);
+
+/// What an earlier run left at `output`, told by its point data `array`; nothing where there is no
+/// file. Throws InputError where something else is there: that is not ours to overwrite.
+std::optional<Snapshot> earlier_output(const Path& output, const char* array);
+
+struct LabelCommand {
+    InputsAndFolder files;
+    InputOptions input;
+    LabelOptions label;
+    bool quiet = false;
+};
+
+/// Labels each input into its output, leaving out those that are there already, made from the same
+/// input with the same options. Returns the outputs.
+std::vector<Path> run_label(const LabelCommand& command);
+
+} // namespace meniscus

@@ -1,0 +1,60 @@
+// The `meniscus` command: a thin layer over the libraries, one file a verb. Every failure is one
+// line on standard error and an exit status: 1 a limit asked for is exceeded, 2 bad input or usage,
+// 3 failure while running, 130 interrupted.
+#include "command_line.hpp"
+
+#include <meniscus/data/errors.hpp>
+#include <meniscus/version.hpp>
+
+#include <cstdio>
+#include <new>
+
+namespace {
+
+int fail(int status, const std::string& message) {
+    meniscus::print_error_line(message);
+    return status;
+}
+
+int run(CLI::App& command, int argument_count, char** arguments) {
+    try {
+        command.parse(argument_count, arguments);
+        if (command.get_subcommands().empty())
+            return fail(2, "a verb is missing (see meniscus --help)");
+        if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+            return fail(3, "standard output cannot be written to");
+        return 0;
+    } catch (const CLI::Success& request) { // --help, --version
+        return command.exit(request);
+    } catch (const CLI::ParseError& error) {
+        const std::string message = error.what();
+        return fail(2, message.substr(0, message.find('\n')) + " (see meniscus --help)");
+    } catch (const meniscus::LimitExceeded& error) {
+        return fail(1, error.what());
+    } catch (const meniscus::InputError& error) {
+        return fail(2, error.what());
+    } catch (const std::bad_alloc&) {
+        return fail(3, "out of memory");
+    } catch (const std::exception& error) {
+        return fail(3, error.what());
+    }
+}
+
+} // namespace
+
+int main(int argument_count, char** arguments) {
+    meniscus::install_interrupt_handler();
+    CLI::App command("Finds the free surface of SPH fluids: label snapshots, train a line, export "
+                     "it, audit it.",
+                     "meniscus");
+    command.set_version_flag("--version", std::string("meniscus ") + meniscus::program_version);
+    command.require_subcommand(0, 1); // none is noticed in run(), a wrong one named by the parser
+    command.get_formatter()->column_width(36);
+    meniscus::add_label(command);
+    meniscus::add_train(command);
+    meniscus::add_export(command);
+    meniscus::add_audit(command);
+    meniscus::add_classify(command);
+    meniscus::add_demo(command);
+    return run(command, argument_count, arguments);
+}

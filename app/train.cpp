@@ -1,0 +1,85 @@
+// meniscus train: the line, from labelled snapshots.
+#include "command_line.hpp"
+
+#include <meniscus/classifier/labelled_state.hpp>
+#include <meniscus/classifier/trainer.hpp>
+#include <meniscus/data/snapshot_files.hpp>
+
+#include <fmt/format.h>
+#include <memory>
+
+namespace meniscus {
+namespace {
+
+struct TrainCommand {
+    std::vector<Path> inputs;
+    Path output;
+    std::string scene;
+    Path keep_k;
+    TrainingOptions training;
+    bool quiet = false;
+};
+
+std::vector<LabelledState> read_states(const TrainCommand& command) {
+    std::vector<LabelledState> states;
+    ProgressBar bar("reading", command.inputs.size(), command.quiet);
+    for (const Path& input : command.inputs) {
+        states.push_back(read_labelled_state(input, command.scene));
+        bar.show(states.size());
+    }
+    return states;
+}
+
+void run_train(TrainCommand& command) {
+    check_is_not_an_input(command.output, command.inputs);
+    if (!command.keep_k.empty())
+        command.training.keep_k = read_model(command.keep_k);
+    const auto states = read_states(command);
+    const Model model = train(states, command.training);
+    {
+        const WriteGuard guard;
+        write_whole(command.output, model_to_json(model));
+    }
+    if (command.quiet)
+        return;
+    fmt::print("{}: y <= {:.4f} x + {:.4f} ({}, label threshold {})\n", command.output.string(),
+               model.line.k, model.line.d, model.objective, model.label_threshold);
+    for (const SceneErrors& scene : count_errors(states, model.line, model.label_threshold))
+        fmt::print("  {}: {} particles, {} surface, {} false negatives, {} false positives "
+                   "({:.2f} %)\n",
+                   scene.scene, scene.particles, scene.surface_particles, scene.false_negatives,
+                   scene.false_positives,
+                   100.0 * static_cast<double>(scene.false_positives) /
+                       static_cast<double>(scene.particles));
+}
+
+} // namespace
+
+void add_train(CLI::App& command) {
+    auto options = std::make_shared<TrainCommand>();
+    auto* verb = command.add_subcommand("train", "Fit the line y <= k x + d to labelled snapshots");
+    verb->add_option("LABELLED", options->inputs, "Snapshots that `meniscus label` has written")
+        ->required();
+    verb->add_option("-o,--output", options->output, "Model file (JSON)")->required();
+    auto* objective =
+        verb->add_option("--objective", options->training.objective,
+                         "neyman-pearson: fewest false positives without a false negative, exact; "
+                         "logistic: the paper's linear separator, shifted; network: the line along "
+                         "a small network's boundary, shifted")
+            ->check(CLI::IsMember(training_objectives()))
+            ->capture_default_str();
+    verb->add_option("--label-threshold", options->training.label_threshold,
+                     "Surface means an uncovered fraction above this")
+        ->capture_default_str();
+    verb->add_option("--keep-k", options->keep_k,
+                     "Keep this model's slope k, shift only d to these snapshots")
+        ->excludes(objective);
+    verb->add_option("--scene", options->scene, "Scene of all snapshots, in place of their own");
+    verb->add_option("--seed", options->training.seed, "Seed of network's weights and batches")
+        ->check(whole_numbers())
+        ->capture_default_str();
+    add_quiet_option(*verb, options->quiet);
+    verb->callback([options] { run_train(*options); });
+}
+
+} // namespace meniscus

@@ -1,0 +1,232 @@
+// The accuracy tables of docs/accuracy.md, in Markdown, from labelled snapshots:
+//   training      each objective trained on all files: the line and its errors, in double and float
+//   unseen        leave one scene out: each scene judged by a line that never saw it
+//   published     SPlisHSPlasH's line with the constants d that its authors name
+//   sweep         neyman-pearson against an exhaustive sweep over slopes
+//   own-line      what a line fitted to one state alone would reach there, and its bulk
+// Usage: accuracy_tables TABLE LABELLED...
+#include <meniscus/classifier/audit.hpp>
+#include <meniscus/classifier/torch_plugin.hpp>
+#include <meniscus/classifier/trainer.hpp>
+#include <meniscus/data/snapshot_files.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <fmt/format.h>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+namespace meniscus {
+namespace {
+
+constexpr double thresholds[] = {0, 0.005, 0.02};
+
+/// A labelled file with what the audit needs of it, read once.
+struct File {
+    Snapshot snapshot;
+    LabelledState state;
+};
+
+std::vector<LabelledState> states_of(const std::vector<File>& files, const std::string& left_out) {
+    std::vector<LabelledState> states;
+    for (const File& file : files)
+        if (file.state.scene != left_out)
+            states.push_back(file.state);
+    return states;
+}
+
+std::vector<std::string> scenes_of(const std::vector<File>& files) {
+    std::vector<std::string> scenes;
+    for (const File& file : files)
+        if (std::find(scenes.begin(), scenes.end(), file.state.scene) == scenes.end())
+            scenes.push_back(file.state.scene);
+    return scenes;
+}
+
+std::vector<std::string> objectives() {
+    return has_torch_trainer() ? std::vector<std::string>{"neyman-pearson", "logistic", "network"}
+                               : std::vector<std::string>{"neyman-pearson"};
+}
+
+Model train_with(const std::vector<LabelledState>& states, const std::string& objective,
+                 double threshold) {
+    TrainingOptions options;
+    options.objective = objective;
+    options.label_threshold = threshold;
+    return train(states, options);
+}
+
+/// What the tables say of one scene or of all.
+struct Errors {
+    std::size_t particles = 0;
+    std::size_t surface = 0;
+    std::size_t missed = 0;
+    std::size_t missed_float = 0;
+    std::size_t let_through = 0;
+    std::size_t let_through_float = 0;
+    double area = 0;
+    double missed_area = 0;
+};
+
+Errors audit_scene(const std::vector<File>& files, const Model& model, double threshold,
+                   const std::string& scene) {
+    Errors errors;
+    for (const File& file : files) {
+        if (!scene.empty() && file.state.scene != scene)
+            continue;
+        const AuditRow row = audit_state(model, file.snapshot, file.state, threshold);
+        errors.particles += row.particles;
+        errors.surface += row.surface;
+        errors.missed += row.false_negatives;
+        errors.missed_float += row.false_negatives_float;
+        errors.let_through += row.false_positives;
+        errors.let_through_float += row.false_positives_float;
+        errors.area += row.surface_area;
+        errors.missed_area += row.missed_area;
+    }
+    return errors;
+}
+
+double percent(double part, double whole) {
+    return whole == 0 ? 0 : 100 * part / whole;
+}
+
+double percent(std::size_t part, std::size_t whole) {
+    return percent(static_cast<double>(part), static_cast<double>(whole));
+}
+
+void print_training(const std::vector<File>& files) {
+    fmt::print("| label threshold | objective | k | d | false negatives (double / float) | false "
+               "positives (double / float) | of all particles, mean over scenes |\n"
+               "|---|---|---|---|---|---|---|\n");
+    const auto states = states_of(files, "");
+    for (const double threshold : thresholds)
+        for (const std::string& objective : objectives()) {
+            const Model model = train_with(states, objective, threshold);
+            const Errors errors = audit_scene(files, model, threshold, "");
+            fmt::print("| {} | {} | {:.2f} | {:.2f} | {} / {} | {} / {} | {:.2f} % |\n", threshold,
+                       objective, model.line.k, model.line.d, errors.missed, errors.missed_float,
+                       errors.let_through, errors.let_through_float,
+                       100 * mean_false_positive_rate(
+                                 count_errors(states, model.line, threshold)));
+        }
+}
+
+void print_unseen(const std::vector<File>& files) {
+    fmt::print("| label threshold | objective | scene left out | k | d | surface | false negatives "
+               "| missed area | false positives of all |\n"
+               "|---|---|---|---|---|---|---|---|---|\n");
+    for (const double threshold : thresholds)
+        for (const std::string& objective : objectives())
+            for (const std::string& scene : scenes_of(files)) {
+                const Model model = train_with(states_of(files, scene), objective, threshold);
+                const Errors errors = audit_scene(files, model, threshold, scene);
+                fmt::print("| {} | {} | {} | {:.2f} | {:.2f} | {} | {} ({:.3f} %) | {:.4f} % | "
+                           "{:.2f} % |\n",
+                           threshold, objective, scene, model.line.k, model.line.d, errors.surface,
+                           errors.missed, percent(errors.missed, errors.surface),
+                           percent(errors.missed_area, errors.area),
+                           percent(errors.let_through, errors.particles));
+            }
+}
+
+void print_published(const std::vector<File>& files) {
+    fmt::print("| label threshold | d | scene | surface | false negatives | missed area | false "
+               "positives of all |\n|---|---|---|---|---|---|---|\n");
+    Model model;
+    model.objective = "published";
+    for (const double threshold : {0.0, 0.02})
+        for (const double d : {12.0, 13.0, 28.0, 35.0}) {
+            model.line = {74.688796680497925, d};
+            for (const std::string& scene : scenes_of(files)) {
+                const Errors errors = audit_scene(files, model, threshold, scene);
+                fmt::print("| {} | {} | {} | {} | {} ({:.2f} %) | {:.3f} % | {:.2f} % |\n",
+                           threshold, d, scene, errors.surface, errors.missed,
+                           percent(errors.missed, errors.surface),
+                           percent(errors.missed_area, errors.area),
+                           percent(errors.let_through, errors.particles));
+            }
+        }
+}
+
+void print_sweep(const std::vector<File>& files) {
+    constexpr double step = 0.05;
+    fmt::print("Slopes from 0 to 1000 in steps of {}, each with the smallest d that leaves no "
+               "false negative:\n\n"
+               "| label threshold | best of the sweep: k | its rate | neyman-pearson: k | its rate "
+               "| ratio |\n|---|---|---|---|---|---|\n",
+               step);
+    const auto states = states_of(files, "");
+    const auto rate_of = [&](const Line& line, double threshold) {
+        return mean_false_positive_rate(count_errors(states, line, threshold));
+    };
+    for (const double threshold : thresholds) {
+        double best = 1;
+        double best_k = 0;
+        for (int n = 0; n <= 20000; ++n) {
+            const double rate = rate_of(shift_line(states, threshold, n * step), threshold);
+            if (rate < best) {
+                best = rate;
+                best_k = n * step;
+            }
+        }
+        const Line line = train_with(states, "neyman-pearson", threshold).line;
+        const double rate = rate_of(line, threshold);
+        fmt::print("| {} | {:.2f} | {:.5f} | {:.2f} | {:.5f} | {:.4f} |\n", threshold, best_k, best,
+                   line.k, rate, rate / best);
+    }
+}
+
+void print_own_line(const std::vector<File>& files) {
+    constexpr double threshold = 0.02;
+    const Model common = train_with(states_of(files, ""), "neyman-pearson", threshold);
+    fmt::print("| state | bulk neighbor count | common line (k = {:.1f}, d = {:.2f}) | same k, own "
+               "d | own line | its k | its d |\n|---|---|---|---|---|---|---|\n",
+               common.line.k, common.line.d);
+    for (const File& file : files) {
+        const std::vector<LabelledState> own = {file.state};
+        const auto rate_of = [&](const Line& line) {
+            return 100 * mean_false_positive_rate(count_errors(own, line, threshold));
+        };
+        const Line line = train_with(own, "neyman-pearson", threshold).line;
+        fmt::print("| {} | {} | {:.2f} % | {:.2f} % | {:.2f} % | {:.1f} | {:.2f} |\n",
+                   file.state.file, bulk_neighbor_count(file.state).value_or(0),
+                   rate_of(common.line), rate_of(shift_line(own, threshold, common.line.k)),
+                   rate_of(line), line.k, line.d);
+    }
+}
+
+int run(int argument_count, char** arguments) {
+    const std::map<std::string, void (*)(const std::vector<File>&)> tables = {
+        {"training", print_training},
+        {"unseen", print_unseen},
+        {"published", print_published},
+        {"sweep", print_sweep},
+        {"own-line", print_own_line}};
+    if (argument_count < 3 || tables.count(arguments[1]) == 0)
+        throw std::runtime_error("usage: accuracy_tables training|unseen|published|sweep|own-line "
+                                 "LABELLED...");
+    std::vector<File> files;
+    for (int a = 2; a < argument_count; ++a) {
+        File file;
+        file.snapshot = read_snapshot(arguments[a]);
+        file.state = labelled_state(file.snapshot, arguments[a]);
+        files.push_back(std::move(file));
+    }
+    tables.at(arguments[1])(files);
+    return 0;
+}
+
+} // namespace
+} // namespace meniscus
+
+int main(int argument_count, char** arguments) {
+    try {
+        return meniscus::run(argument_count, arguments);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "accuracy_tables: %s\n", error.what());
+        return 1;
+    }
+}

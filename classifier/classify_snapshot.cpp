@@ -1,0 +1,119 @@
+#include "classify_snapshot.hpp"
+
+#include "labelled_state.hpp"
+#include "text.hpp"
+
+#include <meniscus/data/errors.hpp>
+#include <meniscus/runtime/classifier.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace meniscus {
+namespace {
+
+template <class Real, int Dimension>
+Predictions predict_as(const Model& model, const Positions& positions,
+                       const Neighborhoods& neighborhoods) {
+    std::vector<Real> coordinates(positions.size() * 3);
+    for (std::size_t i = 0; i < coordinates.size(); ++i)
+        coordinates[i] = static_cast<Real>(positions[i / 3][i % 3]);
+    const std::vector<Real> masses(neighborhoods.masses.begin(), neighborhoods.masses.end());
+    const CsrNeighborhood<Real, Dimension, 3> view{
+        coordinates.data(), masses.empty() ? nullptr : masses.data(),
+        neighborhoods.lists.offsets.data(), neighborhoods.lists.neighbors.data()};
+    const auto range = neighbor_range<Real>(neighborhoods.support_radius, model.radius_ratio);
+    const SurfaceLine<Real> line{static_cast<Real>(model.line.k), static_cast<Real>(model.line.d)};
+    const auto support_radius = static_cast<Real>(neighborhoods.support_radius);
+    Predictions predictions;
+    predictions.surface.resize(positions.size());
+    predictions.neighbor_count.resize(positions.size());
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        const auto sum = sum_features<Real, Dimension>(view, i, range);
+        predictions.surface[i] = static_cast<std::uint8_t>(is_surface(sum, line, support_radius));
+        predictions.neighbor_count[i] = static_cast<std::uint32_t>(sum.count);
+    }
+    return predictions;
+}
+
+template <class Real>
+Predictions predict_as(const Model& model, const Snapshot& snapshot,
+                       const Neighborhoods& neighborhoods) {
+    return snapshot.dimension == 2 ? predict_as<Real, 2>(model, snapshot.positions, neighborhoods)
+                                   : predict_as<Real, 3>(model, snapshot.positions, neighborhoods);
+}
+
+std::vector<std::uint8_t> valid_particles(const Snapshot& snapshot, bool skip_invalid) {
+    auto valid = finite_positions(snapshot);
+    const auto first = std::find(valid.begin(), valid.end(), 0);
+    if (first != valid.end() && !skip_invalid)
+        throw InputError(std::to_string(std::count(first, valid.end(), 0)) + " of " +
+                         std::to_string(valid.size()) +
+                         " particles have positions that are not finite, the first is particle " +
+                         std::to_string(first - valid.begin()) +
+                         "; --skip-invalid leaves them out");
+    return valid;
+}
+
+/// Typical neighbor count of the particles taken for interior ones.
+std::optional<double> interior_neighbor_count(const Classes& classes) {
+    std::vector<std::uint32_t> counts;
+    for (std::size_t i = 0; i < classes.surface.size(); ++i)
+        if (classes.valid[i] != 0 && classes.surface[i] == 0)
+            counts.push_back(classes.neighbor_count[i]);
+    return median(std::move(counts));
+}
+
+} // namespace
+
+Neighborhoods find_neighborhoods(const Snapshot& snapshot, double support_radius,
+                                 const std::vector<std::uint8_t>& valid, int threads) {
+    std::vector<std::int64_t> phases;
+    if (find_array(snapshot, "phase") != nullptr)
+        for (const double phase : scalar_values(snapshot, "phase"))
+            phases.push_back(static_cast<std::int64_t>(phase));
+    Neighborhoods result;
+    if (find_array(snapshot, "mass") != nullptr)
+        result.masses = scalar_values(snapshot, "mass");
+    for (std::size_t i = 0; i < result.masses.size(); ++i)
+        if (valid[i] != 0 && !(result.masses[i] > 0 && std::isfinite(result.masses[i])))
+            throw InputError("particle " + std::to_string(i) + " has mass " +
+                             number_text(result.masses[i]) + ", expected a positive number");
+    result.support_radius = support_radius;
+    result.lists = find_neighbors(snapshot.positions, support_radius,
+                                  {&valid, phases.empty() ? nullptr : &phases}, threads);
+    return result;
+}
+
+Predictions predict(const Model& model, const Snapshot& snapshot,
+                    const Neighborhoods& neighborhoods, Precision precision) {
+    return precision == Precision::float32 ? predict_as<float>(model, snapshot, neighborhoods)
+                                           : predict_as<double>(model, snapshot, neighborhoods);
+}
+
+Classes classify_snapshot(const Snapshot& snapshot, const Model& model,
+                          const ClassifyOptions& options) {
+    check_dimension(model, snapshot.dimension, "the snapshot");
+    if (!snapshot.support_radius)
+        throw InputError("no support radius is stored; give --support-radius");
+    Classes classes;
+    classes.valid = valid_particles(snapshot, options.skip_invalid);
+    auto predictions = predict(
+        model, snapshot,
+        find_neighborhoods(snapshot, *snapshot.support_radius, classes.valid, options.threads),
+        Precision::float64);
+    classes.surface = std::move(predictions.surface);
+    classes.neighbor_count = std::move(predictions.neighbor_count);
+    for (std::size_t i = 0; i < classes.surface.size(); ++i)
+        if (classes.valid[i] == 0)
+            classes.surface[i] = 0;
+    ModelUse use{"", {}, interior_neighbor_count(classes)};
+    if (snapshot.particle_spacing)
+        use.spacing_ratio = *snapshot.support_radius / *snapshot.particle_spacing;
+    const std::string warning = outside_trained_range(model, {use});
+    if (!warning.empty())
+        classes.warnings.push_back(warning);
+    return classes;
+}
+
+} // namespace meniscus

@@ -1,0 +1,59 @@
+// The runtime on a stored snapshot: what a solver that uses the model would see at that instant.
+// The audit compares it with the labels, `meniscus classify` writes it down.
+#pragma once
+
+#include "model.hpp"
+
+#include <meniscus/data/neighbor_search.hpp>
+#include <meniscus/data/snapshot.hpp>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace meniscus {
+
+/// What features are summed over.
+struct Neighborhoods {
+    NeighborLists lists;
+    std::vector<double> masses; ///< kg, one a particle; empty where all are equal
+    double support_radius = 0;  ///< h in m
+};
+
+/// The neighborhoods of the particles whose `valid` is not 0: a `phase` array keeps phases apart, a
+/// `mass` array weights the features. `threads` 0 takes all cores. Throws InputError where such an
+/// array cannot be used, where the mass of a valid particle is not positive, or where the neighbor
+/// search refuses.
+Neighborhoods find_neighborhoods(const Snapshot& snapshot, double support_radius,
+                                 const std::vector<std::uint8_t>& valid, int threads);
+
+/// One entry a particle, in the snapshot's order.
+struct Predictions {
+    std::vector<std::uint8_t> surface;         ///< 1 surface, 0 interior
+    std::vector<std::uint32_t> neighbor_count; ///< feature y
+};
+
+/// Runs the runtime's classifier with positions, masses, h and line in the given precision.
+Predictions predict(const Model& model, const Snapshot& snapshot,
+                    const Neighborhoods& neighborhoods, Precision precision);
+
+struct ClassifyOptions {
+    bool skip_invalid = false; ///< leave particles with non-finite positions out
+    int threads = 0;           ///< 0: all cores; the classes do not depend on it
+};
+
+/// One entry a particle, in the snapshot's order.
+struct Classes {
+    std::vector<std::uint8_t> surface;         ///< 1 surface, 0 interior or not valid
+    std::vector<std::uint8_t> valid;           ///< 0 where left out
+    std::vector<std::uint32_t> neighbor_count; ///< feature y
+    std::vector<std::string> warnings;         ///< one line each, for standard error
+};
+
+/// Classifies a snapshot in double. Throws InputError where it has no support radius, where the
+/// model is of another dimension, where positions are not finite (how many, and the first index)
+/// unless skip_invalid, and as find_neighborhoods does.
+Classes classify_snapshot(const Snapshot& snapshot, const Model& model,
+                          const ClassifyOptions& options);
+
+} // namespace meniscus

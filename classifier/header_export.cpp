@@ -1,0 +1,180 @@
+#include "header_export.hpp"
+
+#include "text.hpp"
+
+#include <meniscus/data/errors.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string_view>
+
+namespace meniscus {
+namespace {
+
+constexpr std::string_view reserved_words[] = {"alignas",       "alignof",     "and",
+                                               "and_eq",        "asm",         "auto",
+                                               "bitand",        "bitor",       "bool",
+                                               "break",         "case",        "catch",
+                                               "char",          "char16_t",    "char32_t",
+                                               "char8_t",       "class",       "co_await",
+                                               "co_return",     "co_yield",    "compl",
+                                               "concept",       "const",       "const_cast",
+                                               "consteval",     "constexpr",   "constinit",
+                                               "continue",      "decltype",    "default",
+                                               "delete",        "do",          "double",
+                                               "dynamic_cast",  "else",        "enum",
+                                               "explicit",      "export",      "extern",
+                                               "false",         "float",       "for",
+                                               "friend",        "goto",        "if",
+                                               "inline",        "int",         "long",
+                                               "mutable",       "namespace",   "new",
+                                               "noexcept",      "not",         "not_eq",
+                                               "nullptr",       "operator",    "or",
+                                               "or_eq",         "private",     "protected",
+                                               "public",        "register",    "reinterpret_cast",
+                                               "requires",      "return",      "short",
+                                               "signed",        "sizeof",      "static",
+                                               "static_assert", "static_cast", "struct",
+                                               "switch",        "template",    "this",
+                                               "thread_local",  "throw",       "true",
+                                               "try",           "typedef",     "typeid",
+                                               "typename",      "union",       "unsigned",
+                                               "using",         "virtual",     "void",
+                                               "volatile",      "wchar_t",     "while",
+                                               "xor",           "xor_eq"};
+
+/// Members have the struct's scope, and a member cannot have the struct's name.
+constexpr std::string_view members[] = {"k",
+                                        "d",
+                                        "dimension",
+                                        "radius_ratio",
+                                        "label_threshold",
+                                        "bulk_neighbor_count_min",
+                                        "bulk_neighbor_count_max",
+                                        "spacing_ratio_min",
+                                        "spacing_ratio_max"};
+
+bool is_letter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+/// True for names that the language leaves to programs.
+bool is_identifier(std::string_view name) {
+    if (name.empty() || !is_letter(name.front()))
+        return false;
+    if (name.find("__") != std::string_view::npos)
+        return false;
+    for (const char c : name)
+        if (!is_letter(c) && !is_digit(c) && c != '_')
+            return false;
+    return std::find(std::begin(reserved_words), std::end(reserved_words), name) ==
+               std::end(reserved_words) &&
+           std::find(std::begin(members), std::end(members), name) == std::end(members);
+}
+
+/// Text that no file name can break out of a comment with: what could end the line or join it with
+/// the next (line breaks, backslash, the trigraph for it), what could confuse a reader (control
+/// and bidirectional characters) becomes an underscore.
+std::string comment_text(const std::string& text) {
+    std::string safe = text;
+    for (char& c : safe)
+        if (c < ' ' || c > '~' || c == '\\' || c == '?')
+            c = '_';
+    return safe;
+}
+
+void check_numbers(const Model& model) {
+    const Range none;
+    for (const double value :
+         {model.line.k, model.line.d, model.radius_ratio, model.label_threshold, model.d_margin,
+          model.spacing_ratio.value_or(none).min, model.spacing_ratio.value_or(none).max,
+          model.bulk_neighbor_count.value_or(none).min,
+          model.bulk_neighbor_count.value_or(none).max})
+        if (!std::isfinite(value))
+            throw InputError("the model has a number that is not finite, so no header can be made "
+                             "from it; train it again");
+}
+
+std::string constant(const std::string& name, double value, const std::string& comment) {
+    return "    /// " + comment + "\n    static constexpr double " + name + " = " +
+           number_text(value) + ";\n";
+}
+
+std::string range_constants(const std::string& name, const std::optional<Range>& range,
+                            const std::string& meaning) {
+    const std::string known = range ? "" : "; 0: not known";
+    return constant(name + "_min", range.value_or(Range{}).min,
+                    "Least " + meaning + " seen in training" + known) +
+           constant(name + "_max", range.value_or(Range{}).max,
+                    "Largest " + meaning + " seen in training" + known);
+}
+
+std::string provenance_comment(const Model& model) {
+    std::string text = "// Trained by " + comment_text(model.objective) +
+                       "; neighbors: " + comment_text(model.phase_rule) + "; " +
+                       comment_text(model.boundary_rule) + ".\n";
+    if (model.training_files.empty())
+        return text + "// The training files are not recorded.\n";
+    text += "// On its training files it has " + std::to_string(model.false_negatives) +
+            " false negatives and " + std::to_string(model.false_positives) + " false positives:\n";
+    for (const TrainingFile& file : model.training_files)
+        text += "//   " + comment_text(file.name) + ", scene " + comment_text(file.scene) + ": " +
+                std::to_string(file.particles) + " particles, " +
+                std::to_string(file.surface_particles) + " surface\n//     sha256 " +
+                comment_text(file.hash) + "\n";
+    return text;
+}
+
+std::string struct_text(const Model& model, const std::string& struct_name) {
+    return "struct " + struct_name + " {\n" +
+           constant("k", model.line.k, "Slope, in neighbors per unit of mass offset") +
+           constant("d", model.line.d,
+                    "Neighbors, " + rounded_text(model.d_margin, 3) + " of them for rounding") +
+           "    static constexpr int dimension = " + std::to_string(model.dimension) + ";\n" +
+           constant("radius_ratio", model.radius_ratio,
+                    "r2 / r1 of the labels; neighbors closer than r1 - r2 do not count") +
+           constant("label_threshold", model.label_threshold,
+                    "Surface means an uncovered fraction above this") +
+           range_constants("bulk_neighbor_count", model.bulk_neighbor_count,
+                           "typical neighbor count inside") +
+           range_constants("spacing_ratio", model.spacing_ratio,
+                           "support radius over particle spacing") +
+           "};\n";
+}
+
+/// For the include guard (#pragma once draws a warning where the header itself is compiled). It
+/// depends on the content, so that two different lines under one name are an error and not the
+/// first of them. FNV-1a.
+std::string digest(const std::string& text) {
+    std::uint64_t hash = 0xcbf29ce484222325ULL;
+    for (const char c : text)
+        hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+    std::string digits;
+    for (int shift = 60; shift >= 0; shift -= 4)
+        digits += "0123456789ABCDEF"[(hash >> static_cast<unsigned>(shift)) & 15U];
+    return digits;
+}
+
+} // namespace
+
+std::string coefficient_header(const Model& model, const std::string& struct_name) {
+    if (!is_identifier(struct_name))
+        throw InputError("'" + struct_name +
+                         "' cannot name the struct of a coefficient header; expected a C++ "
+                         "identifier such as SurfaceCoefficients");
+    check_numbers(model);
+    const std::string content = struct_text(model, struct_name);
+    const std::string guard = "MENISCUS_COEFFICIENTS_" + digest(content);
+    return "// The line that tells surface particles from others: surface where y <= k x + d, with "
+           "the\n// mass offset x and the neighbor count y. Written by `meniscus export`; do not "
+           "edit.\n//\n" +
+           provenance_comment(model) + "// clang-format off\n#ifndef " + guard + "\n#define " +
+           guard + "\n\nnamespace meniscus {\n\n" + content +
+           "\n} // namespace meniscus\n\n#endif\n";
+}
+
+} // namespace meniscus

@@ -1,0 +1,18 @@
+// The coefficient header is how a model reaches a solver: a C++ file of constexpr values that the
+// runtime consumes as a template argument (classify<Coefficients>), with what the model was
+// trained on as comments. It includes nothing and compiles alone, so it can be copied anywhere.
+#pragma once
+
+#include "model.hpp"
+
+#include <string>
+
+namespace meniscus {
+
+/// The header's text: `namespace meniscus { struct NAME { ... }; }` with k, d, dimension,
+/// radius_ratio, label_threshold, bulk_neighbor_count_min and _max, spacing_ratio_min and _max (0
+/// where not known). Numbers read back to the same bits. Throws InputError where `struct_name` is
+/// not a C++ identifier that a program may use, or where the model has a number that is not finite.
+std::string coefficient_header(const Model& model, const std::string& struct_name);
+
+} // namespace meniscus

@@ -1,0 +1,171 @@
+#include "labelled_state.hpp"
+
+#include "text.hpp"
+
+#include <meniscus/data/errors.hpp>
+#include <meniscus/data/snapshot_files.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace meniscus {
+namespace {
+
+[[noreturn]] void not_labelled(const std::string& file, const std::string& missing) {
+    throw InputError(file + " is not a labelled snapshot: it has no " + missing +
+                     "; run `meniscus label` on it first");
+}
+
+[[noreturn]] void out_of_range(const std::string& file, const std::string& name,
+                               std::size_t particle, double value, double largest) {
+    throw InputError(file + ": '" + name + "' of particle " + std::to_string(particle) + " is " +
+                     number_text(value) + ", expected a number from 0 to " + number_text(largest) +
+                     "; label the snapshot again");
+}
+
+std::vector<double> label_array(const Snapshot& snapshot, const std::string& name,
+                                const std::string& file) {
+    if (find_array(snapshot, name) == nullptr)
+        not_labelled(file, "array '" + name + "'");
+    return naming_file(file, [&] { return scalar_values(snapshot, name); });
+}
+
+/// Values of the valid particles, each of which must lie in [0, largest].
+std::vector<double> checked_values(const Snapshot& snapshot, const std::string& name,
+                                   const std::vector<double>& valid, double largest,
+                                   const std::string& file) {
+    auto values = label_array(snapshot, name, file);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (valid[i] == 0)
+            continue;
+        if (!(values[i] >= 0 && values[i] <= largest))
+            out_of_range(file, name, i, values[i], largest);
+        values[kept++] = values[i];
+    }
+    values.resize(kept);
+    values.shrink_to_fit();
+    return values;
+}
+
+std::vector<std::uint32_t> neighbor_counts(const Snapshot& snapshot,
+                                           const std::vector<double>& valid,
+                                           const std::string& file) {
+    const double largest = std::min<double>(static_cast<double>(snapshot.size()),
+                                            std::numeric_limits<std::uint32_t>::max());
+    const auto values = checked_values(snapshot, "neighbor_count", valid, largest, file);
+    std::vector<std::uint32_t> counts(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        counts[i] = static_cast<std::uint32_t>(values[i]);
+        if (counts[i] != values[i])
+            throw InputError(file + ": 'neighbor_count' has the value " + number_text(values[i]) +
+                             ", expected whole numbers; label the snapshot again");
+    }
+    return counts;
+}
+
+double labelled_radius_ratio(const Snapshot& snapshot, const std::string& file) {
+    const auto entry = snapshot.provenance.find("radius_ratio");
+    if (entry == snapshot.provenance.end())
+        not_labelled(file, "'radius_ratio' in its provenance");
+    const auto ratio = number_from_text(entry->second);
+    if (!ratio || !(*ratio > 0 && *ratio <= 1))
+        throw InputError(file + ": 'radius_ratio' in its provenance is '" + entry->second +
+                         "', expected a number above 0 and at most 1; label the snapshot again");
+    return *ratio;
+}
+
+double checked_support_radius(const Snapshot& snapshot, const std::string& file) {
+    if (!snapshot.support_radius)
+        not_labelled(file, "support radius");
+    if (!(*snapshot.support_radius > 0 && std::isfinite(*snapshot.support_radius)))
+        throw InputError(file + ": support radius is " + number_text(*snapshot.support_radius) +
+                         ", expected a positive number; label the snapshot again");
+    return *snapshot.support_radius;
+}
+
+} // namespace
+
+LabelledState labelled_state(const Snapshot& snapshot, const std::filesystem::path& file) {
+    LabelledState state;
+    state.file = file.filename().string();
+    state.scene = scene_of(snapshot, file);
+    state.dimension = snapshot.dimension;
+    const auto valid = label_array(snapshot, "valid", file.string());
+    state.uncovered_fraction =
+        checked_values(snapshot, "uncovered_fraction", valid, 1, file.string());
+    state.mass_offset = checked_values(snapshot, "mass_offset", valid, 1, file.string());
+    state.neighbor_count = neighbor_counts(snapshot, valid, file.string());
+    state.support_radius = checked_support_radius(snapshot, file.string());
+    state.radius_ratio = labelled_radius_ratio(snapshot, file.string());
+    if (snapshot.particle_spacing && *snapshot.particle_spacing > 0 &&
+        std::isfinite(*snapshot.particle_spacing))
+        state.particle_spacing = snapshot.particle_spacing;
+    return state;
+}
+
+LabelledState read_labelled_state(const std::filesystem::path& file, const std::string& scene) {
+    LabelledState state = labelled_state(read_snapshot(file), file);
+    state.hash = file_hash(file);
+    if (!scene.empty())
+        state.scene = scene;
+    return state;
+}
+
+std::optional<double> spacing_ratio(const LabelledState& state) {
+    if (!state.particle_spacing)
+        return {};
+    return state.support_radius / *state.particle_spacing;
+}
+
+std::optional<double> median(std::vector<std::uint32_t> counts) {
+    if (counts.empty())
+        return {};
+    const auto middle = counts.begin() + static_cast<std::ptrdiff_t>(counts.size() / 2);
+    std::nth_element(counts.begin(), middle, counts.end());
+    return *middle;
+}
+
+std::optional<double> bulk_neighbor_count(const LabelledState& state) {
+    std::vector<std::uint32_t> counts;
+    for (std::size_t i = 0; i < state.size(); ++i)
+        if (state.uncovered_fraction[i] == 0)
+            counts.push_back(state.neighbor_count[i]);
+    return median(std::move(counts));
+}
+
+void check_same_kind(const std::vector<LabelledState>& states) {
+    for (const LabelledState& state : states) {
+        const LabelledState& first = states.front();
+        if (state.dimension != first.dimension)
+            throw InputError(first.file + " is " + std::to_string(first.dimension) + "D and " +
+                             state.file + " is " + std::to_string(state.dimension) +
+                             "D; give files of one dimension");
+        if (state.radius_ratio != first.radius_ratio)
+            throw InputError(first.file + " was labelled with radius ratio " +
+                             number_text(first.radius_ratio) + " and " + state.file + " with " +
+                             number_text(state.radius_ratio) +
+                             "; label them with the same --radius-ratio");
+    }
+}
+
+SceneGroups group_by_scene(const std::vector<LabelledState>& states) {
+    SceneGroups groups;
+    for (const LabelledState& state : states) {
+        const auto found = std::find(groups.names.begin(), groups.names.end(), state.scene);
+        groups.of_state.push_back(static_cast<std::size_t>(found - groups.names.begin()));
+        if (found == groups.names.end())
+            groups.names.push_back(state.scene);
+    }
+    return groups;
+}
+
+void check_label_threshold(double label_threshold) {
+    if (!(label_threshold >= 0 && label_threshold < 1))
+        throw InputError("label threshold is " + number_text(label_threshold) +
+                         ", expected a number from 0 to below 1 (surface means that a larger "
+                         "fraction of the sphere is uncovered)");
+}
+
+} // namespace meniscus

@@ -1,0 +1,27 @@
+// The line with the fewest false positives among all lines without a false negative, exactly. For
+// a slope k the best d is the smallest one that clears every surface particle, so the line rests on
+// a vertex of the convex hull of the surface particles, and only k remains to be chosen. Each
+// interior particle is told apart on one open interval of slopes: between the two tangents from it
+// to that hull. The best slope lies where most of these intervals overlap, each weighted so that
+// all scenes weigh the same. Sorting the interval ends finds it; no descent, no grid.
+#pragma once
+
+#include "trainer.hpp"
+
+#include <vector>
+
+namespace meniscus {
+
+/// Slopes of the search reach from 0 (a particle farther off its neighbors' center of mass is never
+/// less likely to be surface) to this: there the rounding margin of d alone has grown to a whole
+/// neighbor, that is, the line is as good as vertical for features in float.
+inline constexpr double largest_slope = 1 / margin_per_slope;
+
+/// The line of least mean over scenes of (false positives / particles) subject to no false
+/// negative, d_margin(k) included in d. Where several slopes are equally good, the middle of the
+/// widest interval of them, by angle in a plane in which both features span about one. Takes
+/// O(particles log particles) time and 32 bytes an interior particle. Throws InputError where no
+/// surface particle has neighbors, or where there is no interior particle.
+Line fewest_false_positives(const std::vector<LabelledState>& states, double label_threshold);
+
+} // namespace meniscus

@@ -1,0 +1,24 @@
+// Loads the libtorch module when a fit asks for it and never before. It is looked for in the
+// library folder that belongs to the running program, in the build tree as when installed, then
+// wherever the system's loader looks.
+#pragma once
+
+#include "labelled_state.hpp"
+#include "model.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace meniscus {
+
+/// True where the program was built with the libtorch trainer (MENISCUS_TRAINER).
+bool has_torch_trainer();
+
+/// The line that "logistic" or "network" fits to the states, not yet shifted; scenes weigh the
+/// same. The same input and seed give the same bits. Throws FailureError where the program was
+/// built without the trainer, where its module cannot be loaded, or where the fit finds no line.
+Line fit_with_torch(const std::string& objective, const std::vector<LabelledState>& states,
+                    double label_threshold, std::uint64_t seed);
+
+} // namespace meniscus

@@ -1,0 +1,206 @@
+#include "snapshot_files.hpp"
+
+#include "errors.hpp"
+#include "legacy_vtk.hpp"
+#include "vtkhdf.hpp"
+
+#include <openssl/evp.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fcntl.h>
+#include <fstream>
+#include <memory>
+#include <unistd.h>
+#include <utility>
+#include <vector>
+
+namespace meniscus {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Format {
+    const char* name;
+    bool (*detect)(const fs::path&);
+    Snapshot (*read)(const fs::path&);
+};
+
+// A new format is one line here.
+constexpr Format formats[] = {
+    {"VTKHDF", is_vtkhdf, read_vtkhdf},
+    {"legacy VTK", is_legacy_vtk, read_legacy_vtk},
+};
+
+std::string errno_text() {
+    return std::strerror(errno);
+}
+
+std::ifstream open_for_reading(const fs::path& file) {
+    std::error_code error;
+    const fs::file_status status = fs::status(file, error);
+    if (status.type() == fs::file_type::not_found) {
+        throw InputError(file.string() + ": expected a file, found none; check the path");
+    }
+    if (fs::is_directory(status)) {
+        throw InputError(file.string() + ": expected a file, found a folder; name the files in it");
+    }
+    if (!fs::is_regular_file(status)) {
+        const std::string found = error ? error.message() : "a device, pipe or socket";
+        throw InputError(file.string() + ": expected a regular file, found: " + found);
+    }
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) {
+        throw InputError(file.string() + ": cannot be opened: " + errno_text());
+    }
+    return stream;
+}
+
+// What the machine did wrong; everything else that keeps a file from being created is the path's.
+bool is_failure_of_machine(int error) {
+    for (const int failure : {ENOSPC, EDQUOT, EIO, ENFILE, EMFILE, ENOMEM, EFBIG}) {
+        if (error == failure) {
+            return true;
+        }
+    }
+    return false;
+}
+
+[[noreturn]] void fail_to_create(const fs::path& file) {
+    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+    const std::string message =
+        file.string() + ": cannot write to folder " + folder.string() + ": " + errno_text();
+    if (is_failure_of_machine(errno)) {
+        throw FailureError(message);
+    }
+    throw InputError(message);
+}
+
+[[noreturn]] void fail_to_write(const fs::path& file) {
+    throw FailureError(file.string() + ": writing failed, nothing was kept: " + errno_text());
+}
+
+/// The file that bytes go to before it takes its name. Removed unless it was renamed.
+class PartialFile {
+public:
+    explicit PartialFile(const fs::path& file) : target(file), partial(file) {
+        partial += ".partial";
+        descriptor = open(partial.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+        if (descriptor < 0) {
+            fail_to_create(target);
+        }
+    }
+
+    PartialFile(const PartialFile&) = delete;
+    PartialFile& operator=(const PartialFile&) = delete;
+
+    ~PartialFile() {
+        if (descriptor >= 0) {
+            close(descriptor);
+        }
+        if (!renamed) {
+            unlink(partial.c_str());
+        }
+    }
+
+    void append(std::string_view bytes) {
+        while (!bytes.empty()) {
+            const ssize_t written = write(descriptor, bytes.data(), bytes.size());
+            if (written >= 0) {
+                bytes.remove_prefix(static_cast<std::size_t>(written));
+            } else if (errno != EINTR) {
+                fail_to_write(target);
+            }
+        }
+    }
+
+    void rename_to_target() {
+        // Without fsync a crash soon after could leave the name with nothing behind it. close()
+        // too can report a failed write (on network file systems).
+        const bool stored = fsync(descriptor) == 0;
+        const bool closed = stored && close(std::exchange(descriptor, -1)) == 0;
+        if (!closed || std::rename(partial.c_str(), target.c_str()) != 0) {
+            fail_to_write(target);
+        }
+        renamed = true;
+    }
+
+private:
+    fs::path target;
+    fs::path partial;
+    int descriptor = -1;
+    bool renamed = false;
+};
+
+} // namespace
+
+Snapshot read_snapshot(const fs::path& file) {
+    std::string known;
+    for (const Format& format : formats) {
+        if (format.detect(file)) {
+            return format.read(file);
+        }
+        known += (known.empty() ? "" : ", ") + std::string(format.name);
+    }
+    throw InputError(file.string() + ": expected a snapshot in a known format (" + known +
+                     "), found something else; export it in one of these");
+}
+
+std::string read_whole(const fs::path& file, std::size_t most) {
+    std::ifstream stream = open_for_reading(file);
+    const std::uintmax_t size = fs::file_size(file);
+    if (size == 0) {
+        throw InputError(file.string() + ": expected a snapshot, found an empty file");
+    }
+    std::string bytes(static_cast<std::size_t>(std::min<std::uintmax_t>(size, most)), '\0');
+    if (!stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) {
+        throw InputError(file.string() + ": cannot be read: " + errno_text());
+    }
+    return bytes;
+}
+
+std::string file_hash(const fs::path& file) {
+    std::ifstream stream = open_for_reading(file);
+    const std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context(EVP_MD_CTX_new(),
+                                                                          EVP_MD_CTX_free);
+    bool fine = context && EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr) == 1;
+    std::vector<char> block(1 << 20);
+    while (fine && stream) {
+        stream.read(block.data(), static_cast<std::streamsize>(block.size()));
+        const auto count = static_cast<std::size_t>(stream.gcount());
+        fine = EVP_DigestUpdate(context.get(), block.data(), count) == 1;
+    }
+    if (stream.bad()) {
+        throw InputError(file.string() + ": cannot be read: " + errno_text());
+    }
+    std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+    unsigned int length = 0;
+    if (!fine || EVP_DigestFinal_ex(context.get(), digest.data(), &length) != 1) {
+        throw FailureError(file.string() + ": its SHA-256 could not be computed by OpenSSL");
+    }
+    std::string text;
+    for (unsigned int i = 0; i < length; ++i) {
+        text += "0123456789abcdef"[digest[i] >> 4];
+        text += "0123456789abcdef"[digest[i] & 15];
+    }
+    return text;
+}
+
+void write_whole(const fs::path& file, std::string_view bytes) {
+    std::error_code ignored; // where the path cannot even be looked at, creating says why
+    const fs::file_status status = fs::status(file, ignored);
+    if (fs::exists(status) && !fs::is_regular_file(status)) {
+        throw InputError(file.string() +
+                         ": expected a file to replace or no file at all, found a " +
+                         (fs::is_directory(status) ? "folder" : "device, pipe or socket"));
+    }
+    PartialFile partial(file);
+    partial.append(bytes);
+    partial.rename_to_target();
+}
+
+} // namespace meniscus

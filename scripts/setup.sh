@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# Installs from Debian's packages what building and testing need and the machine lacks. Needs root,
+# or sudo. `scripts/setup.sh build` leaves out what only the tests need.
+set -euo pipefail
+
+build_packages=(
+    cmake g++ ninja-build
+    libcli11-dev libfmt-dev libhdf5-dev libhwy-dev libssl-dev libtorch-dev
+    nlohmann-json3-dev)
+test_packages=(libbenchmark-dev libgtest-dev python3-vtk9)
+
+wanted=("${build_packages[@]}")
+[ "${1:-all}" = build ] || wanted+=("${test_packages[@]}")
+
+missing=()
+for package in "${wanted[@]}"; do
+    dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null | grep -qx installed ||
+        missing+=("$package")
+done
+if [ ${#missing[@]} -eq 0 ]; then
+    exit 0
+fi
+
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+    if ! command -v sudo >/dev/null; then
+        echo "setup.sh: these packages are missing and only root can install them: ${missing[*]}" >&2
+        exit 2
+    fi
+    as_root=(sudo)
+fi
+echo "Installing ${missing[*]}"
+"${as_root[@]}" apt-get update -q
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -q -y --no-install-recommends "${missing[@]}"

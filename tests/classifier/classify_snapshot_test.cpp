@@ -1,0 +1,70 @@
+#include "classifier/labelled_snapshots.hpp"
+
+#include <meniscus/classifier/classify_snapshot.hpp>
+#include <meniscus/data/errors.hpp>
+
+#include <gtest/gtest.h>
+
+namespace meniscus {
+namespace {
+
+using test::chain;
+using test::chain_model;
+
+TEST(ClassifySnapshot, MatchesTheExampleWorkedOutByHand) {
+    const Classes classes = classify_snapshot(chain(), chain_model(), {true, 1});
+    EXPECT_EQ(classes.surface, (std::vector<std::uint8_t>{1, 0, 0, 0, 1, 1, 0}));
+    EXPECT_EQ(classes.valid, (std::vector<std::uint8_t>{1, 1, 1, 1, 1, 1, 0}));
+    EXPECT_EQ(classes.neighbor_count, (std::vector<std::uint32_t>{1, 2, 2, 2, 1, 0, 0}));
+    EXPECT_TRUE(classes.warnings.empty());
+}
+
+TEST(ClassifySnapshot, WorksInTwoDimensions) {
+    Snapshot snapshot = chain();
+    snapshot.dimension = 2;
+    Model model = chain_model();
+    EXPECT_THROW(classify_snapshot(snapshot, model, {true, 1}), InputError);
+    model.dimension = 2;
+    EXPECT_EQ(classify_snapshot(snapshot, model, {true, 1}).surface,
+              (std::vector<std::uint8_t>{1, 0, 0, 0, 1, 1, 0}));
+}
+
+TEST(ClassifySnapshot, CountsPositionsThatAreNotFinite) {
+    try {
+        classify_snapshot(chain(), chain_model(), {});
+        FAIL() << "no error";
+    } catch (const InputError& error) {
+        EXPECT_EQ(std::string(error.what()).find("1 of 7 particles"), 0U) << error.what();
+        EXPECT_NE(std::string(error.what()).find("particle 6"), std::string::npos);
+    }
+}
+
+TEST(ClassifySnapshot, RefusesWhatItCannotUse) {
+    Snapshot snapshot = chain();
+    snapshot.support_radius.reset();
+    EXPECT_THROW(classify_snapshot(snapshot, chain_model(), {true, 1}), InputError);
+    snapshot = chain();
+    set_array(snapshot, {"mass", 1, std::vector<double>{1, 1, 0, 1, 1, 1, 1}});
+    EXPECT_THROW(classify_snapshot(snapshot, chain_model(), {true, 1}), InputError);
+}
+
+TEST(ClassifySnapshot, WarnsOutsideTheTrainedRange) {
+    Model model = chain_model();
+    model.bulk_neighbor_count = Range{26, 43};
+    const Classes classes = classify_snapshot(chain(), model, {true, 1});
+    ASSERT_EQ(classes.warnings.size(), 1U);
+    EXPECT_NE(classes.warnings[0].find("is 2 and was 26 to 43"), std::string::npos)
+        << classes.warnings[0];
+}
+
+TEST(Predict, FloatAndDoubleFollowTheirOwnRounding) {
+    Model model = chain_model();
+    model.line = {0, 2 - 1e-9}; // in float that is 2
+    const Snapshot snapshot = chain();
+    const auto neighborhoods = find_neighborhoods(snapshot, 1, {1, 1, 1, 1, 1, 1, 0}, 1);
+    EXPECT_EQ(predict(model, snapshot, neighborhoods, Precision::float64).surface[2], 0);
+    EXPECT_EQ(predict(model, snapshot, neighborhoods, Precision::float32).surface[2], 1);
+}
+
+} // namespace
+} // namespace meniscus

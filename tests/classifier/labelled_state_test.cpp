@@ -1,0 +1,118 @@
+#include "classifier/labelled_snapshots.hpp"
+#include "classifier/synthetic_states.hpp"
+#include "data/test_folder.hpp"
+
+#include <meniscus/classifier/labelled_state.hpp>
+#include <meniscus/data/errors.hpp>
+#include <meniscus/data/vtkhdf.hpp>
+
+#include <gtest/gtest.h>
+#include <limits>
+
+namespace meniscus {
+namespace {
+
+using test::chain;
+using test::state_of;
+
+std::string error_of(const Snapshot& snapshot) {
+    try {
+        labelled_state(snapshot, "folder/chain.vtkhdf");
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(LabelledState, HoldsTheValidParticlesInOrder) {
+    const LabelledState state = labelled_state(chain(), "folder/chain_07.vtkhdf");
+    EXPECT_EQ(state.file, "chain_07.vtkhdf");
+    EXPECT_EQ(state.scene, "chain");
+    EXPECT_EQ(state.size(), 6U);
+    EXPECT_EQ(state.neighbor_count, (std::vector<std::uint32_t>{1, 2, 2, 2, 1, 0}));
+    EXPECT_EQ(state.uncovered_fraction[5], 1);
+    EXPECT_EQ(state.support_radius, 1);
+    EXPECT_EQ(state.radius_ratio, 0.8);
+    EXPECT_EQ(spacing_ratio(state), 2);
+    EXPECT_EQ(bulk_neighbor_count(state), 2);
+}
+
+TEST(LabelledState, NamesTheArrayThatIsMissing) {
+    for (const char* name : {"uncovered_fraction", "valid", "mass_offset", "neighbor_count"}) {
+        Snapshot snapshot = chain();
+        for (PointArray& array : snapshot.point_data)
+            if (array.name == name)
+                array.name = "other";
+        const std::string error = error_of(snapshot);
+        EXPECT_EQ(error.find("folder/chain.vtkhdf is not a labelled snapshot"), 0U) << error;
+        EXPECT_NE(error.find(name), std::string::npos) << error;
+        EXPECT_NE(error.find("meniscus label"), std::string::npos) << error;
+    }
+    Snapshot snapshot = chain();
+    snapshot.provenance.clear();
+    EXPECT_NE(error_of(snapshot).find("radius_ratio"), std::string::npos);
+    snapshot = chain();
+    snapshot.support_radius.reset();
+    EXPECT_NE(error_of(snapshot).find("support radius"), std::string::npos);
+}
+
+TEST(LabelledState, RefusesValuesOutOfRange) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const char* name : {"uncovered_fraction", "mass_offset", "neighbor_count"})
+        for (const double wrong : {nan, -1.0, 8.0, std::numeric_limits<double>::infinity()}) {
+            Snapshot snapshot = chain();
+            set_array(snapshot, {name, 1, std::vector<double>{0, 0, 0, wrong, 0, 0, 0}});
+            const std::string error = error_of(snapshot);
+            EXPECT_NE(error.find(std::string("'") + name + "' of particle 3"), std::string::npos)
+                << error;
+        }
+    Snapshot snapshot = chain();
+    set_array(snapshot, {"neighbor_count", 1, std::vector<float>{1, 2, 2.5, 2, 1, 0, 0}});
+    EXPECT_NE(error_of(snapshot).find("whole numbers"), std::string::npos);
+    for (const char* ratio : {"", "0", "1.5", "nan", "0.8x"}) {
+        snapshot = chain();
+        snapshot.provenance["radius_ratio"] = ratio;
+        EXPECT_NE(error_of(snapshot).find("radius_ratio"), std::string::npos) << ratio;
+    }
+    for (const double radius : {0.0, -1.0, nan}) {
+        snapshot = chain();
+        snapshot.support_radius = radius;
+        EXPECT_NE(error_of(snapshot).find("support radius"), std::string::npos) << radius;
+    }
+}
+
+TEST(LabelledState, ParticlesThatAreNotValidMayHoldAnything) {
+    Snapshot snapshot = chain();
+    set_array(snapshot, {"mass_offset", 1,
+                         std::vector<double>{0.5, 0, 0, 0, 0.5, 0,
+                                             std::numeric_limits<double>::quiet_NaN()}});
+    EXPECT_EQ(labelled_state(snapshot, "chain.vtkhdf").size(), 6U);
+}
+
+TEST(LabelledState, BulkNeighborCountNeedsCoveredParticles) {
+    EXPECT_FALSE(bulk_neighbor_count(state_of("a", {{0.1, 5, 1}})));
+    EXPECT_EQ(bulk_neighbor_count(state_of("a", {{0, 30, 0}, {0, 40, 0}, {0, 41, 0}, {0, 9, 1}})),
+              40);
+    EXPECT_FALSE(median({}));
+}
+
+TEST(LabelledState, ScenesAreGroupedInOrderOfAppearance) {
+    const auto groups = group_by_scene({state_of("b", {}), state_of("a", {}), state_of("b", {})});
+    EXPECT_EQ(groups.names, (std::vector<std::string>{"b", "a"}));
+    EXPECT_EQ(groups.of_state, (std::vector<std::size_t>{0, 1, 0}));
+}
+
+using LabelledFile = TestFolder;
+
+TEST_F(LabelledFile, IsReadWithItsHash) {
+    write_vtkhdf(chain(), folder / "chain.vtkhdf");
+    const LabelledState state = read_labelled_state(folder / "chain.vtkhdf", "");
+    EXPECT_EQ(state.hash.size(), 64U);
+    EXPECT_EQ(state.scene, "chain");
+    EXPECT_EQ(state.mass_offset, (std::vector<double>{0.5, 0, 0, 0, 0.5, 0}));
+    EXPECT_EQ(read_labelled_state(folder / "chain.vtkhdf", "mine").scene, "mine");
+    EXPECT_THROW(read_labelled_state(folder / "missing.vtkhdf", ""), InputError);
+}
+
+} // namespace
+} // namespace meniscus
