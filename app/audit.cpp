@@ -2,8 +2,10 @@
 #include "command_line.hpp"
 
 #include <meniscus/classifier/audit.hpp>
+#include <meniscus/data/errors.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <memory>
 #include <optional>
@@ -36,6 +38,8 @@ void check_limits(const AuditCommand& command, const AuditReport& report) {
 }
 
 void run_audit(const AuditCommand& command) {
+    if (std::isnan(command.max_false_positive_rate.value_or(0)))
+        throw InputError("--max-false-positive-rate must be a number from 0 to 1, found nan");
     const Model model = read_model(command.model);
     const AuditReport report = audit(model, command.inputs, command.audit);
     for (const std::string& warning : report.warnings)

@@ -42,6 +42,7 @@ std::vector<Path> sample_files() {
 
 Model train_on(const std::vector<Path>& labelled, double label_threshold) {
     std::vector<LabelledState> states;
+    states.reserve(labelled.size());
     for (const Path& file : labelled)
         states.push_back(read_labelled_state(file, ""));
     TrainingOptions options;

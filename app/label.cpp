@@ -98,7 +98,7 @@ std::optional<Snapshot> earlier_output(const Path& output, const char* array) {
 }
 
 std::vector<Path> run_label(const LabelCommand& command) {
-    const auto outputs = output_files(command.files);
+    auto outputs = output_files(command.files);
     make_writable_folder(command.files.folder);
     for (std::size_t f = 0; f < outputs.size(); ++f)
         naming_file(command.files.inputs[f],

@@ -43,18 +43,25 @@ int run(CLI::App& command, int argument_count, char** arguments) {
 } // namespace
 
 int main(int argument_count, char** arguments) {
-    meniscus::install_interrupt_handler();
-    CLI::App command("Finds the free surface of SPH fluids: label snapshots, train a line, export "
-                     "it, audit it.",
-                     "meniscus");
-    command.set_version_flag("--version", std::string("meniscus ") + meniscus::program_version);
-    command.require_subcommand(0, 1); // none is noticed in run(), a wrong one named by the parser
-    command.get_formatter()->column_width(36);
-    meniscus::add_label(command);
-    meniscus::add_train(command);
-    meniscus::add_export(command);
-    meniscus::add_audit(command);
-    meniscus::add_classify(command);
-    meniscus::add_demo(command);
-    return run(command, argument_count, arguments);
+    try {
+        meniscus::install_interrupt_handler();
+        CLI::App command(
+            "Finds the free surface of SPH fluids: label snapshots, train a line, export "
+            "it, audit it.",
+            "meniscus");
+        command.set_version_flag("--version", std::string("meniscus ") + meniscus::program_version);
+        // run() notices that there is none; the parser names a wrong one.
+        command.require_subcommand(0, 1);
+        command.get_formatter()->column_width(36);
+        meniscus::add_label(command);
+        meniscus::add_train(command);
+        meniscus::add_export(command);
+        meniscus::add_audit(command);
+        meniscus::add_classify(command);
+        meniscus::add_demo(command);
+        return run(command, argument_count, arguments);
+    } catch (const std::exception& error) { // what run() itself cannot report
+        std::fprintf(stderr, "meniscus: %s\n", error.what());
+        return 3;
+    }
 }

@@ -17,6 +17,7 @@ struct TrainCommand {
     std::string scene;
     Path keep_k;
     TrainingOptions training;
+    bool relative_count = false;
     bool quiet = false;
 };
 
@@ -25,6 +26,8 @@ std::vector<LabelledState> read_states(const TrainCommand& command) {
     ProgressBar bar("reading", command.inputs.size(), command.quiet);
     for (const Path& input : command.inputs) {
         states.push_back(read_labelled_state(input, command.scene));
+        if (command.relative_count)
+            make_relative(states.back());
         bar.show(states.size());
     }
     return states;
@@ -34,6 +37,8 @@ void run_train(TrainCommand& command) {
     check_is_not_an_input(command.output, command.inputs);
     if (!command.keep_k.empty())
         command.training.keep_k = read_model(command.keep_k);
+    if (command.training.keep_k && command.training.keep_k->reference_neighbor_count > 0)
+        command.relative_count = true;
     const auto states = read_states(command);
     const Model model = train(states, command.training);
     {
@@ -74,6 +79,10 @@ void add_train(CLI::App& command) {
     verb->add_option("--keep-k", options->keep_k,
                      "Keep this model's slope k, shift only d to these snapshots")
         ->excludes(objective);
+    verb->add_flag("--relative-count", options->relative_count,
+                   "Measure neighbor counts by the median of their state: far fewer false "
+                   "positives where the fluid is compressed by turns; the solver then passes its "
+                   "median");
     verb->add_option("--scene", options->scene, "Scene of all snapshots, in place of their own");
     verb->add_option("--seed", options->training.seed, "Seed of network's weights and batches")
         ->check(whole_numbers())

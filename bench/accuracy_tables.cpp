@@ -22,6 +22,7 @@ namespace meniscus {
 namespace {
 
 constexpr double thresholds[] = {0, 0.005, 0.02};
+constexpr const char* relative_objective = "neyman-pearson, relative counts";
 
 /// A labelled file with what the audit needs of it, read once.
 struct File {
@@ -46,14 +47,21 @@ std::vector<std::string> scenes_of(const std::vector<File>& files) {
 }
 
 std::vector<std::string> objectives() {
-    return has_torch_trainer() ? std::vector<std::string>{"neyman-pearson", "logistic", "network"}
-                               : std::vector<std::string>{"neyman-pearson"};
+    std::vector<std::string> names = {relative_objective, "neyman-pearson"};
+    if (has_torch_trainer())
+        names.insert(names.end(), {"logistic", "network"});
+    return names;
 }
 
-Model train_with(const std::vector<LabelledState>& states, const std::string& objective,
+Model train_with(std::vector<LabelledState> states, const std::string& objective,
                  double threshold) {
     TrainingOptions options;
     options.objective = objective;
+    if (objective == relative_objective) {
+        options.objective = "neyman-pearson";
+        for (LabelledState& state : states)
+            make_relative(state);
+    }
     options.label_threshold = threshold;
     return train(states, options);
 }
@@ -97,6 +105,17 @@ double percent(std::size_t part, std::size_t whole) {
     return percent(static_cast<double>(part), static_cast<double>(whole));
 }
 
+/// Mean over scenes of the rate of false positives.
+double mean_rate(const std::vector<File>& files, const Model& model, double threshold) {
+    double sum = 0;
+    const auto scenes = scenes_of(files);
+    for (const std::string& scene : scenes) {
+        const Errors errors = audit_scene(files, model, threshold, scene);
+        sum += percent(errors.let_through, errors.particles);
+    }
+    return sum / static_cast<double>(scenes.size());
+}
+
 void print_training(const std::vector<File>& files) {
     fmt::print("| label threshold | objective | k | d | false negatives (double / float) | false "
                "positives (double / float) | of all particles, mean over scenes |\n"
@@ -109,8 +128,7 @@ void print_training(const std::vector<File>& files) {
             fmt::print("| {} | {} | {:.2f} | {:.2f} | {} / {} | {} / {} | {:.2f} % |\n", threshold,
                        objective, model.line.k, model.line.d, errors.missed, errors.missed_float,
                        errors.let_through, errors.let_through_float,
-                       100 * mean_false_positive_rate(
-                                 count_errors(states, model.line, threshold)));
+                       mean_rate(files, model, threshold));
         }
 }
 

@@ -113,8 +113,9 @@ void density_pass(benchmark::State& state, const Host<Real>& host) {
     std::vector<Real> densities(host.size());
     std::vector<std::uint8_t> surface(host.size());
     for (auto _ : state) {
-        density_loop<Real, fused>(host.positions.data(), host.masses.data(), host.lists, host.size(),
-                                  host.support_radius, densities.data(), surface.data());
+        density_loop<Real, fused>(host.positions.data(), host.masses.data(), host.lists,
+                                  host.size(), host.support_radius, densities.data(),
+                                  surface.data());
         benchmark::ClobberMemory();
     }
 }
@@ -136,8 +137,10 @@ void register_for(const std::string& type, const Host<Real>& host) {
                        [&](std::size_t i, auto&& visit) { view(i, std::move(visit)); });
     });
     add("density", [&](auto& state) { density_pass<Real, Fused::nothing>(state, host); });
-    add("density_fused", [&](auto& state) { density_pass<Real, Fused::equal_masses>(state, host); });
-    add("density_fused_masses", [&](auto& state) { density_pass<Real, Fused::masses>(state, host); });
+    add("density_fused",
+        [&](auto& state) { density_pass<Real, Fused::equal_masses>(state, host); });
+    add("density_fused_masses",
+        [&](auto& state) { density_pass<Real, Fused::masses>(state, host); });
 }
 
 /// Shows the medians and keeps them. Processor time, which a busy machine disturbs least; wall time
@@ -216,10 +219,9 @@ int run(int argument_count, char** arguments) {
     benchmark::RegisterBenchmark("label_reference",
                                  [&](auto& state) { label_reference(state, snapshot); });
     for (const int threads : {1, 2})
-        benchmark::RegisterBenchmark(threads == 1 ? "label/1_thread" : "label/2_threads",
-                                     [&, threads](auto& state) {
-                                         label_fast(state, snapshot, threads);
-                                     })
+        benchmark::RegisterBenchmark(
+            threads == 1 ? "label/1_thread" : "label/2_threads",
+            [&, threads](auto& state) { label_fast(state, snapshot, threads); })
             ->UseRealTime();
     std::printf("%s: %zu particles; labels with %zu samples, %s\n\n", arguments[1], snapshot.size(),
                 label_samples, coverage_instruction_set());

@@ -64,7 +64,8 @@ std::vector<std::string> table_line(const AuditRow& row) {
 
 std::string unseen_text(const AuditRow& all) {
     if (all.unseen_rates.empty())
-        return "All snapshots with surface particles were trained on: their false negatives say nothing of "
+        return "All snapshots with surface particles were trained on: their false negatives say "
+               "nothing of "
                "new ones.\n";
     return std::to_string(unseen_with_misses(all)) + " of " +
            std::to_string(all.unseen_rates.size()) +
@@ -124,6 +125,22 @@ std::string csv_number(const std::optional<double>& number) {
     return number ? number_text(*number) : std::string();
 }
 
+/// What is judged against what.
+std::string line_text(const AuditReport& report) {
+    const Model& model = report.model;
+    std::string text = "surface where y <= " + rounded_text(model.line.k, 6) + " x + " +
+                       rounded_text(model.line.d, 6) + " (" + model.objective + ")";
+    if (model.reference_neighbor_count > 0)
+        text += ", y relative to a median neighbor count of " +
+                rounded_text(model.reference_neighbor_count, 4);
+    text += "; by label where more than " + rounded_text(100 * report.label_threshold, 3) +
+            " % of the sphere is uncovered";
+    if (model.label_threshold != report.label_threshold)
+        text +=
+            " (the model was trained at " + rounded_text(100 * model.label_threshold, 3) + " %)";
+    return text + "\n\n";
+}
+
 } // namespace
 
 std::string to_table(const AuditReport& report) {
@@ -132,10 +149,7 @@ std::string to_table(const AuditReport& report) {
          "false pos.", "of all", "of interior", "uncovered", "to 0.5 %", "to 2 %", "above"}};
     for (const AuditRow& row : all_rows(report))
         lines.push_back(table_line(row));
-    return "surface where y <= " + rounded_text(report.model.line.k, 6) + " x + " +
-           rounded_text(report.model.line.d, 6) + " (" + report.model.objective +
-           "); by label where more than " + rounded_text(100 * report.label_threshold, 3) +
-           " % of the sphere is uncovered\n\n" + aligned(lines) +
+    return line_text(report) + aligned(lines) +
            "\nmissed: false negatives; missed area: their share of all uncovered area; uncovered: "
            "false positives\nthat a coverage check leaves; last columns: missed of all particles "
            "by uncovered fraction.\n" +

@@ -12,6 +12,21 @@
 namespace meniscus {
 namespace {
 
+/// The model's line, scaled to the state where it is relative.
+template <class Real>
+SurfaceLine<Real> line_for(const Model& model, const std::vector<std::uint32_t>& counts,
+                           const std::vector<std::uint8_t>& valid) {
+    if (model.reference_neighbor_count == 0)
+        return {static_cast<Real>(model.line.k), static_cast<Real>(model.line.d)};
+    std::vector<std::uint32_t> of_valid;
+    for (std::size_t i = 0; i < counts.size(); ++i)
+        if (valid[i] != 0)
+            of_valid.push_back(counts[i]);
+    return scaled_line<Real>(model.line.k, model.line.d,
+                             median_neighbor_count(of_valid.data(), of_valid.size()),
+                             model.reference_neighbor_count);
+}
+
 template <class Real, int Dimension>
 Predictions predict_as(const Model& model, const Positions& positions,
                        const Neighborhoods& neighborhoods) {
@@ -23,16 +38,16 @@ Predictions predict_as(const Model& model, const Positions& positions,
         coordinates.data(), masses.empty() ? nullptr : masses.data(),
         neighborhoods.lists.offsets.data(), neighborhoods.lists.neighbors.data()};
     const auto range = neighbor_range<Real>(neighborhoods.support_radius, model.radius_ratio);
-    const SurfaceLine<Real> line{static_cast<Real>(model.line.k), static_cast<Real>(model.line.d)};
     const auto support_radius = static_cast<Real>(neighborhoods.support_radius);
     Predictions predictions;
     predictions.surface.resize(positions.size());
     predictions.neighbor_count.resize(positions.size());
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-        const auto sum = sum_features<Real, Dimension>(view, i, range);
-        predictions.surface[i] = static_cast<std::uint8_t>(is_surface(sum, line, support_radius));
-        predictions.neighbor_count[i] = static_cast<std::uint32_t>(sum.count);
-    }
+    for (std::size_t i = 0; i < positions.size(); ++i)
+        predictions.neighbor_count[i] =
+            static_cast<std::uint32_t>(sum_features<Real, Dimension>(view, i, range).count);
+    const auto line = line_for<Real>(model, predictions.neighbor_count, neighborhoods.valid);
+    classify<Real, Dimension>(view, 0, positions.size(), support_radius, line, range,
+                              predictions.surface.data());
     return predictions;
 }
 
@@ -61,7 +76,9 @@ std::optional<double> interior_neighbor_count(const Classes& classes) {
     for (std::size_t i = 0; i < classes.surface.size(); ++i)
         if (classes.valid[i] != 0 && classes.surface[i] == 0)
             counts.push_back(classes.neighbor_count[i]);
-    return median(std::move(counts));
+    if (counts.empty())
+        return {};
+    return median_neighbor_count(counts.data(), counts.size());
 }
 
 } // namespace
@@ -80,6 +97,7 @@ Neighborhoods find_neighborhoods(const Snapshot& snapshot, double support_radius
             throw InputError("particle " + std::to_string(i) + " has mass " +
                              number_text(result.masses[i]) + ", expected a positive number");
     result.support_radius = support_radius;
+    result.valid = valid;
     result.lists = find_neighbors(snapshot.positions, support_radius,
                                   {&valid, phases.empty() ? nullptr : &phases}, threads);
     return result;

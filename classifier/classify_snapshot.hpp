@@ -18,6 +18,7 @@ struct Neighborhoods {
     NeighborLists lists;
     std::vector<double> masses; ///< kg, one a particle; empty where all are equal
     double support_radius = 0;  ///< h in m
+    std::vector<std::uint8_t> valid;
 };
 
 /// The neighborhoods of the particles whose `valid` is not 0: a `phase` array keeps phases apart, a
@@ -33,7 +34,8 @@ struct Predictions {
     std::vector<std::uint32_t> neighbor_count; ///< feature y
 };
 
-/// Runs the runtime's classifier with positions, masses, h and line in the given precision.
+/// Runs the runtime's classifier with positions, masses, h and line in the given precision. A
+/// relative line is scaled to the median neighbor count of the valid particles.
 Predictions predict(const Model& model, const Snapshot& snapshot,
                     const Neighborhoods& neighborhoods, Precision precision);
 

@@ -91,8 +91,8 @@ void check_numbers(const Model& model) {
     const Range none;
     for (const double value :
          {model.line.k, model.line.d, model.radius_ratio, model.label_threshold, model.d_margin,
-          model.spacing_ratio.value_or(none).min, model.spacing_ratio.value_or(none).max,
-          model.bulk_neighbor_count.value_or(none).min,
+          model.reference_neighbor_count, model.spacing_ratio.value_or(none).min,
+          model.spacing_ratio.value_or(none).max, model.bulk_neighbor_count.value_or(none).min,
           model.bulk_neighbor_count.value_or(none).max})
         if (!std::isfinite(value))
             throw InputError("the model has a number that is not finite, so no header can be made "
@@ -137,6 +137,10 @@ std::string struct_text(const Model& model, const std::string& struct_name) {
            "    static constexpr int dimension = " + std::to_string(model.dimension) + ";\n" +
            constant("radius_ratio", model.radius_ratio,
                     "r2 / r1 of the labels; neighbors closer than r1 - r2 do not count") +
+           constant("reference_neighbor_count", model.reference_neighbor_count,
+                    model.reference_neighbor_count > 0
+                        ? "k and d are for this median neighbor count; scale them to yours"
+                        : "0: neighbor counts are taken as they are") +
            constant("label_threshold", model.label_threshold,
                     "Surface means an uncovered fraction above this") +
            range_constants("bulk_neighbor_count", model.bulk_neighbor_count,
@@ -169,9 +173,15 @@ std::string coefficient_header(const Model& model, const std::string& struct_nam
     check_numbers(model);
     const std::string content = struct_text(model, struct_name);
     const std::string guard = "MENISCUS_COEFFICIENTS_" + digest(content);
-    return "// The line that tells surface particles from others: surface where y <= k x + d, with "
-           "the\n// mass offset x and the neighbor count y. Written by `meniscus export`; do not "
-           "edit.\n//\n" +
+    return std::string("// The line that tells surface particles from others: surface where y <= k "
+                       "x + d, with "
+                       "the\n// mass offset x and the neighbor count y. Written by `meniscus "
+                       "export`; do not "
+                       "edit.\n") +
+           (model.reference_neighbor_count > 0
+                ? "// The line is relative: scale k and d by your median neighbor count over\n"
+                  "// reference_neighbor_count.\n//\n"
+                : "//\n") +
            provenance_comment(model) + "// clang-format off\n#ifndef " + guard + "\n#define " +
            guard + "\n\nnamespace meniscus {\n\n" + content +
            "\n} // namespace meniscus\n\n#endif\n";

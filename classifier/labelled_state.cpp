@@ -4,6 +4,7 @@
 
 #include <meniscus/data/errors.hpp>
 #include <meniscus/data/snapshot_files.hpp>
+#include <meniscus/runtime/classifier.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -119,12 +120,13 @@ std::optional<double> spacing_ratio(const LabelledState& state) {
     return state.support_radius / *state.particle_spacing;
 }
 
-std::optional<double> median(std::vector<std::uint32_t> counts) {
-    if (counts.empty())
-        return {};
-    const auto middle = counts.begin() + static_cast<std::ptrdiff_t>(counts.size() / 2);
-    std::nth_element(counts.begin(), middle, counts.end());
-    return *middle;
+void make_relative(LabelledState& state) {
+    const int median = median_neighbor_count(state.neighbor_count.data(), state.size());
+    if (median == 0)
+        throw InputError(state.file + ": half of the particles have no neighbors, so counts cannot "
+                                      "be relative to their median; is the support radius right?");
+    state.count_scale = reference_neighbor_count / median;
+    state.relative = true;
 }
 
 std::optional<double> bulk_neighbor_count(const LabelledState& state) {
@@ -132,7 +134,9 @@ std::optional<double> bulk_neighbor_count(const LabelledState& state) {
     for (std::size_t i = 0; i < state.size(); ++i)
         if (state.uncovered_fraction[i] == 0)
             counts.push_back(state.neighbor_count[i]);
-    return median(std::move(counts));
+    if (counts.empty())
+        return {};
+    return median_neighbor_count(counts.data(), counts.size());
 }
 
 void check_same_kind(const std::vector<LabelledState>& states) {
@@ -147,6 +151,9 @@ void check_same_kind(const std::vector<LabelledState>& states) {
                              number_text(first.radius_ratio) + " and " + state.file + " with " +
                              number_text(state.radius_ratio) +
                              "; label them with the same --radius-ratio");
+        if (state.relative != first.relative)
+            throw InputError("counts are relative in one of " + first.file + " and " + state.file +
+                             " and not in the other");
     }
 }
 

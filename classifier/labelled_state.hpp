@@ -23,11 +23,26 @@ struct LabelledState {
     std::optional<double> particle_spacing; ///< initial distance of particles in m
     // One entry a valid particle, in the file's order:
     std::vector<double> mass_offset;           ///< feature x, without unit
-    std::vector<std::uint32_t> neighbor_count; ///< feature y
+    std::vector<std::uint32_t> neighbor_count; ///< feature y, before scaling
     std::vector<double> uncovered_fraction;    ///< lambda
+    bool relative = false;                     ///< make_relative was called
+    double count_scale = 1;                    ///< set by it
 
     [[nodiscard]] std::size_t size() const { return mass_offset.size(); }
+    /// Feature y of an entry.
+    [[nodiscard]] double scaled_count(std::size_t i) const {
+        return count_scale * neighbor_count[i];
+    }
 };
+
+/// The median neighbor count that relative counts are scaled to, so that lines for them have
+/// coefficients of the usual size.
+inline constexpr double reference_neighbor_count = 40;
+
+/// Scales the counts so that their median over all particles is reference_neighbor_count: a line
+/// trained on such states follows a fluid that is compressed (runtime/classifier.hpp). Throws
+/// InputError, naming the file, where half of the particles have no neighbors.
+void make_relative(LabelledState& state);
 
 /// Takes the state out of a labelled snapshot; `file` is for its name and for messages, nothing is
 /// read from it. Throws InputError, naming the file and what is missing, where it was not labelled
@@ -42,15 +57,12 @@ LabelledState read_labelled_state(const std::filesystem::path& file, const std::
 /// Support radius in particle spacings; nothing where the file does not say the spacing.
 std::optional<double> spacing_ratio(const LabelledState& state);
 
-/// The median, the larger of two; nothing where there are no counts.
-std::optional<double> median(std::vector<std::uint32_t> counts);
-
 /// Neighbor count typical of the bulk: the median over particles with lambda = 0; nothing where
 /// there are none.
 std::optional<double> bulk_neighbor_count(const LabelledState& state);
 
-/// Throws InputError, naming both files, where states differ in dimension or in radius ratio: one
-/// line cannot be trained or judged on them together.
+/// Throws InputError, naming both files, where states differ in dimension, in radius ratio or in
+/// being relative: one line cannot be trained or judged on them together.
 void check_same_kind(const std::vector<LabelledState>& states);
 
 /// Which states belong to which scene.

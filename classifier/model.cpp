@@ -18,8 +18,8 @@ using Json = nlohmann::ordered_json;
 constexpr const char* format_name = "meniscus model";
 constexpr int format_version = 1;
 
-Json feature_names() {
-    return {"mass_offset", "neighbor_count"};
+Json feature_names(bool relative) {
+    return {"mass_offset", relative ? "relative_neighbor_count" : "neighbor_count"};
 }
 
 // Far beyond anything that features give; larger numbers are damage.
@@ -123,8 +123,10 @@ void check_format(const Reader& reader) {
     if (reader.value("format_version") != format_version)
         reader.refuse("format_version",
                       std::to_string(format_version) + " for this program to read it");
-    if (reader.value("features") != feature_names())
-        reader.refuse("features", feature_names().dump());
+    const Json& features = reader.value("features");
+    if (features != feature_names(false) && features != feature_names(true))
+        reader.refuse("features",
+                      feature_names(false).dump() + " or " + feature_names(true).dump());
 }
 
 TrainingFile training_file(const Reader& reader) {
@@ -217,6 +219,9 @@ Model model_from_json(const std::string& text, const std::filesystem::path& file
     model.radius_ratio = reader.number("radius_ratio", 0, 1);
     if (model.radius_ratio == 0)
         reader.refuse("radius_ratio", "above 0");
+    if (reader.value("features") == feature_names(true))
+        model.reference_neighbor_count =
+            reader.number("reference_neighbor_count", 1, largest_neighbor_count);
     model.label_threshold = reader.number("label_threshold", 0, 1);
     if (model.label_threshold == 1)
         reader.refuse("label_threshold", "below 1");
@@ -247,23 +252,26 @@ std::string model_to_json(const Model& model) {
                          {"scene", file.scene},
                          {"particles", file.particles},
                          {"surface_particles", file.surface_particles}});
-    const Json json = {{"format", format_name},
-                       {"format_version", format_version},
-                       {"k", model.line.k},
-                       {"d", model.line.d},
-                       {"features", feature_names()},
-                       {"dimension", model.dimension},
-                       {"radius_ratio", model.radius_ratio},
-                       {"label_threshold", model.label_threshold},
-                       {"objective", model.objective},
-                       {"d_margin", model.d_margin},
-                       {"spacing_ratio", range_json(model.spacing_ratio)},
-                       {"bulk_neighbor_count", range_json(model.bulk_neighbor_count)},
-                       {"phase_rule", model.phase_rule},
-                       {"boundary_rule", model.boundary_rule},
-                       {"training_files", files},
-                       {"false_negatives", model.false_negatives},
-                       {"false_positives", model.false_positives}};
+    const bool relative = model.reference_neighbor_count > 0;
+    Json json = {{"format", format_name},
+                 {"format_version", format_version},
+                 {"k", model.line.k},
+                 {"d", model.line.d},
+                 {"features", feature_names(relative)},
+                 {"dimension", model.dimension},
+                 {"radius_ratio", model.radius_ratio},
+                 {"label_threshold", model.label_threshold},
+                 {"objective", model.objective},
+                 {"d_margin", model.d_margin},
+                 {"spacing_ratio", range_json(model.spacing_ratio)},
+                 {"bulk_neighbor_count", range_json(model.bulk_neighbor_count)},
+                 {"phase_rule", model.phase_rule},
+                 {"boundary_rule", model.boundary_rule},
+                 {"training_files", files},
+                 {"false_negatives", model.false_negatives},
+                 {"false_positives", model.false_positives}};
+    if (relative)
+        json["reference_neighbor_count"] = model.reference_neighbor_count;
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -19,7 +19,7 @@ struct Line {
 
 /// True for surface: what the runtime answers for a particle with these features, up to rounding
 /// (which d_margin covers). A particle without a counted neighbor is surface whatever the line.
-inline bool predicts_surface(const Line& line, double mass_offset, std::uint32_t neighbor_count) {
+inline bool predicts_surface(const Line& line, double mass_offset, double neighbor_count) {
     return neighbor_count == 0 || neighbor_count <= line.k * mass_offset + line.d;
 }
 
@@ -39,11 +39,12 @@ struct TrainingFile {
 struct Model {
     Line line;
     int dimension = 3;
-    double radius_ratio = 0.8;                ///< r2 / r1 of the labels
-    double label_threshold = 0;               ///< surface means lambda above this
-    std::string objective;                    ///< "neyman-pearson", "logistic", "network", ...
-    double d_margin = 0;                      ///< part of d that is there for rounding, neighbors
-    std::optional<Range> spacing_ratio;       ///< h / particle spacing seen in training
+    double radius_ratio = 0.8;           ///< r2 / r1 of the labels
+    double reference_neighbor_count = 0; ///< median that counts are relative to; 0: they are not
+    double label_threshold = 0;          ///< surface means lambda above this
+    std::string objective;               ///< "neyman-pearson", "logistic", "network", ...
+    double d_margin = 0;                 ///< part of d that is there for rounding, neighbors
+    std::optional<Range> spacing_ratio;  ///< h / particle spacing seen in training
     std::optional<Range> bulk_neighbor_count; ///< seen in training
     std::string phase_rule = "same phase only";
     std::string boundary_rule = "boundary particles do not count";

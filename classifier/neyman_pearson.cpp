@@ -28,12 +28,12 @@ struct Hull {
 /// For each neighbor count, the surface particle that the line clears last.
 std::vector<Point> outermost_surface_particles(const std::vector<LabelledState>& states,
                                                double label_threshold) {
-    std::map<std::uint32_t, double, std::greater<>> smallest_offset;
+    std::map<double, double, std::greater<>> smallest_offset;
     for (const LabelledState& state : states)
         for (std::size_t i = 0; i < state.size(); ++i)
             if (state.uncovered_fraction[i] > label_threshold && state.neighbor_count[i] != 0) {
                 const double x = state.mass_offset[i];
-                const auto entry = smallest_offset.try_emplace(state.neighbor_count[i], x).first;
+                const auto entry = smallest_offset.try_emplace(state.scaled_count(i), x).first;
                 entry->second = std::min(entry->second, x);
             }
     if (smallest_offset.empty())
@@ -42,7 +42,7 @@ std::vector<Point> outermost_surface_particles(const std::vector<LabelledState>&
     std::vector<Point> points;
     points.reserve(smallest_offset.size());
     for (const auto& [count, offset] : smallest_offset)
-        points.push_back({offset, static_cast<double>(count)});
+        points.push_back({offset, count});
     return points;
 }
 
@@ -164,7 +164,7 @@ Sweep collect_events(const std::vector<LabelledState>& states, double label_thre
     sweep.events.reserve(2 * interior);
     for (std::size_t s = 0; s < states.size(); ++s)
         for (std::size_t i = 0; i < states[s].size(); ++i) {
-            const double count = states[s].neighbor_count[i];
+            const double count = states[s].scaled_count(i);
             if (states[s].uncovered_fraction[i] > label_threshold || count == 0)
                 continue;
             const SlopeInterval interval = told_apart(hull, {states[s].mass_offset[i], count});

@@ -24,7 +24,7 @@ struct Particles {
 
     void add(const MeniscusTrainingPart& part, std::size_t i, double threshold, double weight) {
         features.push_back(part.mass_offset[i]);
-        features.push_back(part.neighbor_count[i]);
+        features.push_back(part.count_scale * part.neighbor_count[i]);
         labels.push_back(part.uncovered_fraction[i] > threshold ? 1 : 0);
         weights.push_back(weight);
     }

@@ -23,14 +23,12 @@ std::filesystem::path module_of_this_program() {
 /// The module stays loaded until the program ends: libtorch does not survive being unloaded.
 void* load_module() {
     const auto here = module_of_this_program();
-    std::error_code failure;
-    if (std::filesystem::exists(here, failure))
-        if (void* module = dlopen(here.c_str(), RTLD_NOW | RTLD_LOCAL))
-            return module;
+    if (void* module = dlopen(here.c_str(), RTLD_NOW | RTLD_LOCAL))
+        return module;
+    const std::string reason = dlerror();
     if (void* module = dlopen(module_name, RTLD_NOW | RTLD_LOCAL))
         return module;
-    throw FailureError("the libtorch module " + here.lexically_normal().string() +
-                       " cannot be loaded (" + dlerror() +
+    throw FailureError("the libtorch module cannot be loaded (" + reason +
                        "); install libtorch and meniscus again, or train with "
                        "--objective neyman-pearson");
 }
@@ -57,7 +55,7 @@ std::vector<MeniscusTrainingPart> training_parts(const std::vector<LabelledState
         const double share = static_cast<double>(groups.names.size() * in_scene);
         parts.push_back({states[s].mass_offset.data(), states[s].neighbor_count.data(),
                          states[s].uncovered_fraction.data(), states[s].size(),
-                         in_scene == 0 ? 0 : 1 / share});
+                         states[s].count_scale, in_scene == 0 ? 0 : 1 / share});
     }
     return parts;
 }

@@ -65,6 +65,9 @@ void check_training(const std::vector<LabelledState>& states, const TrainingOpti
     if (options.keep_k) {
         check_dimension(*options.keep_k, states.front().dimension, states.front().file);
         check_radius_ratio(*options.keep_k, states.front().radius_ratio, states.front().file);
+        if ((options.keep_k->reference_neighbor_count > 0) != states.front().relative)
+            throw InputError("one of the line to keep and the states has relative counts, the "
+                             "other has not");
     }
     check_classes(states, options.label_threshold);
 }
@@ -105,6 +108,7 @@ Model train(const std::vector<LabelledState>& states, const TrainingOptions& opt
     model.line = trained_line(states, options);
     model.dimension = states.front().dimension;
     model.radius_ratio = states.front().radius_ratio;
+    model.reference_neighbor_count = states.front().relative ? reference_neighbor_count : 0;
     model.label_threshold = options.label_threshold;
     model.objective = options.keep_k ? "keep-k" : options.objective;
     model.d_margin = d_margin(model.line.k);
@@ -123,7 +127,7 @@ double smallest_d(const std::vector<LabelledState>& states, double label_thresho
     for (const LabelledState& state : states)
         for (std::size_t i = 0; i < state.size(); ++i)
             if (state.uncovered_fraction[i] > label_threshold && state.neighbor_count[i] != 0)
-                d = std::max(d, state.neighbor_count[i] - k * state.mass_offset[i]);
+                d = std::max(d, state.scaled_count(i) - k * state.mass_offset[i]);
     if (std::isinf(d))
         throw InputError("no surface particle has neighbors (uncovered fraction above " +
                          number_text(label_threshold) +
@@ -147,7 +151,7 @@ std::vector<SceneErrors> count_errors(const std::vector<LabelledState>& states, 
         for (std::size_t i = 0; i < state.size(); ++i) {
             const bool surface = state.uncovered_fraction[i] > label_threshold;
             const bool predicted =
-                predicts_surface(line, state.mass_offset[i], state.neighbor_count[i]);
+                predicts_surface(line, state.mass_offset[i], state.scaled_count(i));
             scene.surface_particles += static_cast<std::size_t>(surface);
             scene.false_negatives += static_cast<std::size_t>(surface && !predicted);
             scene.false_positives += static_cast<std::size_t>(!surface && predicted);

@@ -58,8 +58,8 @@ std::uint64_t bucket_of(const Grid& grid, const Cell& cell) {
         return x + static_cast<std::uint64_t>(grid.cells[0]) *
                        (y + static_cast<std::uint64_t>(grid.cells[1]) * z);
     // Odd multipliers spread the bits; the high half of the product mixes best.
-    const std::uint64_t mixed = (x * 0x9e3779b97f4a7c15ULL) ^ (y * 0xc2b2ae3d27d4eb4fULL) ^
-                                (z * 0x165667b19e3779f9ULL);
+    const std::uint64_t mixed =
+        (x * 0x9e3779b97f4a7c15ULL) ^ (y * 0xc2b2ae3d27d4eb4fULL) ^ (z * 0x165667b19e3779f9ULL);
     return (mixed ^ (mixed >> 32)) & grid.bucket_mask;
 }
 

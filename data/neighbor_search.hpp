@@ -14,8 +14,8 @@
 namespace meniscus {
 
 /// Neighbor lists in compressed rows: the neighbors of particle i are
-/// neighbors[offsets[i]] ... neighbors[offsets[i + 1] - 1], without i itself, in an order that depends
-/// on the positions alone.
+/// neighbors[offsets[i]] ... neighbors[offsets[i + 1] - 1], without i itself, in an order that
+/// depends on the positions alone.
 struct NeighborLists {
     std::vector<std::size_t> offsets; ///< size: particles + 1
     std::vector<std::uint32_t> neighbors;
@@ -23,8 +23,8 @@ struct NeighborLists {
 
 /// What leaves pairs out of the lists. Both are empty or have one entry a particle.
 struct NeighborFilter {
-    const std::vector<std::uint8_t>* valid = nullptr;      ///< particles with 0 have no neighbors
-    const std::vector<std::int64_t>* phase = nullptr;      ///< pairs of different phase do not count
+    const std::vector<std::uint8_t>* valid = nullptr; ///< particles with 0 have no neighbors
+    const std::vector<std::int64_t>* phase = nullptr; ///< pairs of different phase do not count
 };
 
 /// The neighbors of each particle at a distance strictly below `radius` (m). `threads` 0 takes all

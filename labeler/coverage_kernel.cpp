@@ -81,7 +81,8 @@ HWY_INLINE std::size_t count_in_vector(const DirectionBlocks& blocks, std::size_
         const std::uint32_t place = near.places[n];
         const Vectors cap{hn::Set(lanes, caps.x[place]), hn::Set(lanes, caps.y[place]),
                           hn::Set(lanes, caps.z[place])};
-        const Vector above = hn::Sub(product(direction, cap), hn::Set(lanes, caps.threshold[place]));
+        const Vector above =
+            hn::Sub(product(direction, cap), hn::Set(lanes, caps.threshold[place]));
         covered = hn::Or(covered, hn::Gt(above, error));
         undecided = hn::Or(undecided, hn::Gt(above, hn::Neg(error)));
         if (hn::AllTrue(lanes, covered))
@@ -117,7 +118,9 @@ std::size_t count_uncovered(const DirectionBlocks& blocks, const Caps& caps,
     return uncovered;
 }
 
-const char* instruction_set() { return hwy::TargetName(HWY_TARGET); }
+const char* instruction_set() {
+    return hwy::TargetName(HWY_TARGET);
+}
 
 } // namespace HWY_NAMESPACE
 } // namespace meniscus
@@ -135,7 +138,9 @@ std::size_t run_coverage_kernel(const DirectionBlocks& blocks, const Caps& caps)
     return HWY_DYNAMIC_DISPATCH(count_uncovered)(blocks, caps, near_places.data());
 }
 
-const char* coverage_instruction_set() { return HWY_DYNAMIC_DISPATCH(instruction_set)(); }
+const char* coverage_instruction_set() {
+    return HWY_DYNAMIC_DISPATCH(instruction_set)();
+}
 
 } // namespace meniscus
 #endif

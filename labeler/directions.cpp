@@ -25,14 +25,22 @@ std::array<double, 2> cosine_and_sine_of_turn(double turn) {
     }
     sine *= angle;
     switch (octant) {
-    case 0: return {cosine, sine};
-    case 1: return {sine, cosine};
-    case 2: return {-sine, cosine};
-    case 3: return {-cosine, sine};
-    case 4: return {-cosine, -sine};
-    case 5: return {-sine, -cosine};
-    case 6: return {sine, -cosine};
-    default: return {cosine, -sine};
+    case 0:
+        return {cosine, sine};
+    case 1:
+        return {sine, cosine};
+    case 2:
+        return {-sine, cosine};
+    case 3:
+        return {-cosine, sine};
+    case 4:
+        return {-cosine, -sine};
+    case 5:
+        return {-sine, -cosine};
+    case 6:
+        return {sine, -cosine};
+    default:
+        return {cosine, -sine};
     }
 }
 

@@ -4,12 +4,13 @@
 
 #include <meniscus/data/errors.hpp>
 #include <meniscus/data/neighbor_search.hpp>
-#include <meniscus/version.hpp>
 #include <meniscus/runtime/features.hpp>
+#include <meniscus/version.hpp>
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <exception>
 #include <numeric>
 #include <omp.h>
 #include <sstream>
@@ -149,6 +150,7 @@ void for_all_particles(std::size_t count, const LabelOptions& options, WorkOn&& 
     const auto chunks = static_cast<std::int64_t>((count + chunk - 1) / chunk);
     const int threads = options.threads > 0 ? options.threads : omp_get_max_threads();
     std::atomic<std::size_t> done{0};
+    std::exception_ptr failure; // must not leave the parallel region on its own
 #pragma omp parallel num_threads(threads)
     {
         Workspace workspace;
@@ -156,12 +158,19 @@ void for_all_particles(std::size_t count, const LabelOptions& options, WorkOn&& 
         for (std::int64_t c = 0; c < chunks; ++c) {
             const std::size_t begin = static_cast<std::size_t>(c) * chunk;
             const std::size_t end = std::min(begin + chunk, count);
-            work_on(begin, end, workspace);
-            done += end - begin;
-            if (options.progress && omp_get_thread_num() == 0)
-                options.progress(done);
+            try {
+                work_on(begin, end, workspace);
+                done += end - begin;
+                if (options.progress && omp_get_thread_num() == 0)
+                    options.progress(done);
+            } catch (...) {
+#pragma omp critical
+                failure = std::current_exception();
+            }
         }
     }
+    if (failure)
+        std::rethrow_exception(failure);
 }
 
 std::string number_text(double value) {

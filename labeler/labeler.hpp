@@ -18,12 +18,12 @@ namespace meniscus {
 inline constexpr double zero_uncovered_fraction = 1e-9;
 
 struct LabelOptions {
-    double radius_ratio = 0.8;      ///< r2 / r1, in (0, 1)
-    std::size_t samples = 100000;   ///< directions a particle
-    std::string scheme = "halton";  ///< name of a sampling scheme
-    std::uint64_t seed = 0;         ///< 0: Halton's sequence as it is
-    bool skip_invalid = false;      ///< leave particles with non-finite positions out
-    int threads = 0;                ///< 0: all cores; the labels do not depend on it
+    double radius_ratio = 0.8;     ///< r2 / r1, in (0, 1)
+    std::size_t samples = 100000;  ///< directions a particle
+    std::string scheme = "halton"; ///< name of a sampling scheme
+    std::uint64_t seed = 0;        ///< 0: Halton's sequence as it is
+    bool skip_invalid = false;     ///< leave particles with non-finite positions out
+    int threads = 0;               ///< 0: all cores; the labels do not depend on it
     /// Called now and then from the calling thread with the number of particles done.
     std::function<void(std::size_t)> progress = {};
 };

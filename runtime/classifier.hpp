@@ -6,6 +6,11 @@
 //
 // Either fuse it into the density loop (FeatureSum::add for each neighbor, is_surface at the end)
 // or run classify() over a neighborhood view.
+//
+// A fluid that is compressed has more neighbors everywhere: about 26 on the lattice that a scene
+// starts from, 40 in developed flow. A line for counts as they are pays for that range in false
+// positives. A *relative* line is trained on counts measured by the state's median; the host
+// passes the median of its last step, and the line follows the fluid.
 #pragma once
 
 #include "features.hpp"
@@ -23,10 +28,51 @@ struct SurfaceLine {
     Real d;
 };
 
-/// The line of an exported coefficient struct (see surface_coefficients.hpp for one).
+/// The line of an exported coefficient struct (see surface_coefficients.hpp for one) whose counts
+/// are as they are. Refuses a relative line at compile time.
 template <class Coefficients, class Real>
 constexpr SurfaceLine<Real> surface_line() {
+    static_assert(Coefficients::reference_neighbor_count == 0,
+                  "this line is relative: call surface_line(median neighbor count)");
     return {static_cast<Real>(Coefficients::k), static_cast<Real>(Coefficients::d)};
+}
+
+/// The line y = k x + d for a state whose median neighbor count is `median_count`, from one for a
+/// median of `reference_count`.
+template <class Real>
+constexpr SurfaceLine<Real> scaled_line(double k, double d, double median_count,
+                                        double reference_count) {
+    const double scale = median_count / reference_count;
+    return {static_cast<Real>(k * scale), static_cast<Real>(d * scale)};
+}
+
+/// The line of a relative coefficient struct for a state of that median neighbor count (see
+/// median_neighbor_count; the one of the last step will do, since it changes slowly).
+template <class Coefficients, class Real>
+constexpr SurfaceLine<Real> surface_line(double median_count) {
+    static_assert(Coefficients::reference_neighbor_count > 0,
+                  "this line is not relative: call surface_line() without a count");
+    return scaled_line<Real>(Coefficients::k, Coefficients::d, median_count,
+                             Coefficients::reference_neighbor_count);
+}
+
+/// The median of `size` neighbor counts (feature y of all particles): the smallest count that at
+/// least half of them do not exceed. Counts of 1023 and more count as 1023. 0 where there are none.
+template <class Count>
+int median_neighbor_count(const Count* counts, std::size_t size) {
+    constexpr std::size_t largest = 1023;
+    std::array<std::size_t, largest + 1> particles_with{};
+    for (std::size_t i = 0; i < size; ++i) {
+        const auto count = static_cast<std::size_t>(counts[i]);
+        ++particles_with[count < largest ? count : largest];
+    }
+    std::size_t below = 0;
+    for (std::size_t count = 0; count <= largest; ++count) {
+        below += particles_with[count];
+        if (2 * below >= size)
+            return static_cast<int>(count);
+    }
+    return 0;
 }
 
 /// Tests the bits, because -ffast-math lets a compiler assume that std::isfinite is always true.
@@ -54,9 +100,9 @@ bool is_surface(const FeatureSum<Real, Dimension>& sum, const SurfaceLine<Real>&
         const Real term = line.k * (sum.moment[axis] * inverse);
         right_squared += term * term;
     }
-    const bool right_is_larger = above * above <= right_squared;
-    const bool below = line.k >= 0 ? above <= 0 || right_is_larger
-                                   : above <= 0 && (!right_is_larger || right_squared == 0);
+    const Real left_squared = above * above;
+    const bool below = line.k >= 0 ? above <= 0 || left_squared <= right_squared
+                                   : above <= 0 && left_squared >= right_squared;
     return below || !is_finite(right_squared);
 }
 

@@ -88,8 +88,7 @@ FeatureSum<Real, Dimension> sum_features(const View& view, std::size_t i,
 
 template <bool EqualMasses, class Real, int Dimension, int Stride, class Offset, class Index>
 FeatureSum<Real, Dimension>
-sum_all(const ExactCsrNeighborhood<Real, Dimension, Stride, Offset, Index>& view,
-        std::size_t i) {
+sum_all(const ExactCsrNeighborhood<Real, Dimension, Stride, Offset, Index>& view, std::size_t i) {
     FeatureSum<Real, Dimension> sum;
     const Real* center = view.positions + i * Stride;
     for (Offset n = view.offsets[i]; n < view.offsets[i + 1]; ++n) {

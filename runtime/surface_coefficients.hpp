@@ -31,21 +31,32 @@
 //     sha256 31fd727bbf38f93b4a27a2dbc66a450dcd35ad5f5321d0cba9ccbdef50dadbbe
 //   snake_dfsph_05.vtkhdf, scene SurfaceTension_SnakeTestZR2020: 6076 particles, 3026 surface
 //     sha256 5a5aa3bf49bc32c9de68feafe4684ac9d157c705b3b21ce486389972a666d5da
-#ifndef MENISCUS_COEFFICIENTS_F424D02A55CBCA14
-#define MENISCUS_COEFFICIENTS_F424D02A55CBCA14
+// clang-format off
+#ifndef MENISCUS_COEFFICIENTS_637E67641A65EC81
+#define MENISCUS_COEFFICIENTS_637E67641A65EC81
 
 namespace meniscus {
 
 struct SurfaceCoefficients {
-    static constexpr double k = 116.66775196109981; // neighbors
-    static constexpr double d = 25.971460891431278; // neighbors, 0.000833 of them for rounding
+    /// Slope, in neighbors per unit of mass offset
+    static constexpr double k = 116.66775196109981;
+    /// Neighbors, 0.000833 of them for rounding
+    static constexpr double d = 25.971460891431278;
     static constexpr int dimension = 3;
-    static constexpr double radius_ratio = 0.8; // r2 / r1
-    static constexpr double label_threshold = 0.02; // surface means an uncovered fraction above this
-    static constexpr double bulk_neighbor_count_min = 26.0; // seen in training
-    static constexpr double bulk_neighbor_count_max = 43.0; // seen in training
-    static constexpr double spacing_ratio_min = 2.0; // h / particle spacing seen in training
-    static constexpr double spacing_ratio_max = 2.0; // h / particle spacing seen in training
+    /// r2 / r1 of the labels; neighbors closer than r1 - r2 do not count
+    static constexpr double radius_ratio = 0.8;
+    /// 0: neighbor counts are taken as they are
+    static constexpr double reference_neighbor_count = 0.0;
+    /// Surface means an uncovered fraction above this
+    static constexpr double label_threshold = 0.02;
+    /// Least typical neighbor count inside seen in training
+    static constexpr double bulk_neighbor_count_min = 26.0;
+    /// Largest typical neighbor count inside seen in training
+    static constexpr double bulk_neighbor_count_max = 43.0;
+    /// Least support radius over particle spacing seen in training
+    static constexpr double spacing_ratio_min = 2.0;
+    /// Largest support radius over particle spacing seen in training
+    static constexpr double spacing_ratio_max = 2.0;
 };
 
 } // namespace meniscus

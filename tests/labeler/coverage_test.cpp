@@ -89,7 +89,9 @@ TEST(Coverage, DirectionsOnTheEdgeOfACapAreDecidedInDouble) {
     }
 }
 
-TEST(Coverage, NamesItsInstructionSet) { EXPECT_NE(coverage_instruction_set(), std::string()); }
+TEST(Coverage, NamesItsInstructionSet) {
+    EXPECT_NE(coverage_instruction_set(), std::string());
+}
 
 } // namespace
 } // namespace meniscus

@@ -68,8 +68,10 @@ TEST_P(EveryScheme, GivesEvenlySpreadUnitVectors) {
 
 TEST_P(EveryScheme, RepeatsWithTheSeedAndDiffersWithAnother) {
     for (const int dimension : {2, 3}) {
-        EXPECT_EQ(filled(GetParam(), dimension, 100, 9, 4), filled(GetParam(), dimension, 100, 9, 4));
-        EXPECT_NE(filled(GetParam(), dimension, 100, 9, 4), filled(GetParam(), dimension, 100, 8, 4));
+        EXPECT_EQ(filled(GetParam(), dimension, 100, 9, 4),
+                  filled(GetParam(), dimension, 100, 9, 4));
+        EXPECT_NE(filled(GetParam(), dimension, 100, 9, 4),
+                  filled(GetParam(), dimension, 100, 8, 4));
     }
 }
 

@@ -39,8 +39,7 @@ TEST(Labeler, SurfaceOfALatticeIsItsOuterLayer) {
             options.scheme = scheme;
             const auto labels = label_particles(snapshot, 2.0, options);
             for (std::size_t i = 0; i < snapshot.size(); ++i)
-                EXPECT_EQ(labels.surface[i] != 0,
-                          on_the_hull(snapshot.positions[i], 7, dimension))
+                EXPECT_EQ(labels.surface[i] != 0, on_the_hull(snapshot.positions[i], 7, dimension))
                     << scheme << " particle " << i;
         }
 }
@@ -73,8 +72,9 @@ TEST(Labeler, LambdaIsThatOfTheReference) {
             if (length > 0.2 && length < 1)
                 neighbors.push_back(x);
         }
-        EXPECT_DOUBLE_EQ(labels.uncovered_fraction[i] * 5000,
-                         static_cast<double>(count_uncovered_reference(directions, neighbors, 0.8)));
+        EXPECT_DOUBLE_EQ(
+            labels.uncovered_fraction[i] * 5000,
+            static_cast<double>(count_uncovered_reference(directions, neighbors, 0.8)));
         EXPECT_EQ(labels.neighbor_count[i], neighbors.size());
     }
 }
@@ -160,8 +160,9 @@ TEST(Labeler, SaysHowManyPositionsAreNotFiniteAndWhichFirst) {
         label_particles(snapshot, 2.0, options);
         FAIL();
     } catch (const InputError& error) {
-        EXPECT_STREQ(error.what(), "2 of 64 particles have positions that are not finite, the first "
-                                   "is particle 7; --skip-invalid leaves them out");
+        EXPECT_STREQ(error.what(),
+                     "2 of 64 particles have positions that are not finite, the first "
+                     "is particle 7; --skip-invalid leaves them out");
     }
     options.skip_invalid = true;
     const auto labels = label_particles(snapshot, 2.0, options);

@@ -14,6 +14,12 @@ struct TestCoefficients {
     static constexpr double d = 20;
     static constexpr int dimension = 3;
     static constexpr double radius_ratio = 0.8;
+    static constexpr double reference_neighbor_count = 0;
+};
+
+/// The same line, trained on counts relative to a median of 40.
+struct RelativeCoefficients : TestCoefficients {
+    static constexpr double reference_neighbor_count = 40;
 };
 
 FeatureSum<double, 3> sum_of(double offset, int count) {
@@ -32,6 +38,29 @@ TEST(Classifier, SurfaceOnAndBelowTheLine) {
     EXPECT_FALSE(is_surface(sum_of(0.25, 46), line, 1.0));
 }
 
+TEST(Classifier, RelativeLineFollowsTheMedianCount) {
+    constexpr auto line = surface_line<RelativeCoefficients, double>(20);
+    EXPECT_DOUBLE_EQ(line.k, 50);
+    EXPECT_DOUBLE_EQ(line.d, 10);
+    EXPECT_TRUE(is_surface(sum_of(0.25, 22), line, 1.0));
+    EXPECT_FALSE(is_surface(sum_of(0.25, 23), line, 1.0));
+}
+
+TEST(Classifier, MedianNeighborCount) {
+    const std::vector<std::uint32_t> counts{7, 1, 40, 40, 2000};
+    EXPECT_EQ(median_neighbor_count(counts.data(), 5), 40);
+    EXPECT_EQ(median_neighbor_count(counts.data(), 2), 1);
+    EXPECT_EQ(median_neighbor_count(counts.data() + 4, 1), 1023);
+    EXPECT_EQ(median_neighbor_count(counts.data(), 0), 0);
+}
+
+TEST(Classifier, FallingLine) {
+    const SurfaceLine<double> line{-10, 20}; // y <= 20 - 10 x
+    EXPECT_TRUE(is_surface(sum_of(0.5, 15), line, 1.0));
+    EXPECT_FALSE(is_surface(sum_of(0.5, 16), line, 1.0));
+    EXPECT_FALSE(is_surface(sum_of(0.5, 30), line, 1.0));
+}
+
 TEST(Classifier, ParticleWithoutNeighborsIsSurface) {
     EXPECT_TRUE(is_surface(FeatureSum<double, 3>{}, {0.0, -5.0}, 1.0));
 }
@@ -39,8 +68,8 @@ TEST(Classifier, ParticleWithoutNeighborsIsSurface) {
 TEST(Classifier, FeaturesThatAreNotFiniteMeanSurface) {
     FeatureSum<float, 3> sum;
     sum.count = 1000;
-    for (const float moment : {std::numeric_limits<float>::quiet_NaN(),
-                               std::numeric_limits<float>::infinity()}) {
+    for (const float moment :
+         {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
         sum.moment[0] = moment;
         sum.mass = 1;
         EXPECT_TRUE(is_surface(sum, {1.0F, 1.0F}, 1.0F));
@@ -62,8 +91,8 @@ TEST(Classifier, PassOverAViewOfTheHostsOwn) {
     const auto view = [](std::size_t, auto&& visit) {
         for (int n = 0; n < 30; ++n) // 30 neighbors on a ring around the particle
             visit(static_cast<std::size_t>(n),
-                  std::array<double, 3>{0.5 * std::cos(n * 0.2094395), 0.5 * std::sin(n * 0.2094395),
-                                        0},
+                  std::array<double, 3>{0.5 * std::cos(n * 0.2094395),
+                                        0.5 * std::sin(n * 0.2094395), 0},
                   1.0);
     };
     std::vector<std::uint8_t> surface(4, 7);

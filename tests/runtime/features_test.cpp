@@ -48,8 +48,8 @@ TEST(NeighborBand, HoldsPairsAtTheSupportRadiusOutWhateverTheRounding) {
         const float first = 0.04F * static_cast<float>(place);
         const float second = 0.04F * static_cast<float>(place + 2);
         FeatureSum<float, 3> sum;
-        sum.add(std::array<float, 3>{second - first, 0, 0},
-                (second - first) * (second - first), 1.0F, range);
+        sum.add(std::array<float, 3>{second - first, 0, 0}, (second - first) * (second - first),
+                1.0F, range);
         EXPECT_EQ(sum.count, 0) << place;
     }
 }

@@ -1,0 +1,159 @@
+#include "command.hpp"
+
+#include <meniscus/classifier/model.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <set>
+#include <sstream>
+
+namespace meniscus {
+namespace {
+
+using Json = nlohmann::json;
+
+class Audit : public CommandLine {
+protected:
+    void SetUp() override {
+        CommandLine::SetUp();
+        succeed({"train", droplet, "-o", model, "--quiet"});
+    }
+
+    [[nodiscard]] Json json(const Words& words) const {
+        return Json::parse(succeed(Words{"audit", "--format", "json"} + words));
+    }
+
+    /// A model of someone else's line, as the published ones are.
+    [[nodiscard]] Path line(double k, double d) const {
+        Model other;
+        other.line = {k, d};
+        other.objective = "published";
+        return write("line_" + std::to_string(k) + "_" + std::to_string(d) + ".json",
+                     model_to_json(other));
+    }
+
+    const Path model = folder / "model.json";
+    // Made before the fixture's own set-up needs it.
+    const Path droplet = [this] {
+        std::filesystem::create_directories(folder);
+        return label(sample("droplet_iisph_04"));
+    }();
+};
+
+TEST_F(Audit, JsonHasTheKeysOfTheContract) {
+    const Path published = line(60, 30);
+    const Json report = json({droplet, label(sample("cube_iisph_05")), "--model", published});
+    EXPECT_EQ(report.at("model"), Json::parse(bytes_of(published)));
+    ASSERT_EQ(report.at("scenes").size(), 2U);
+    for (const Json& scene : report["scenes"]) {
+        for (const char* key :
+             {"scene", "files", "particles", "surface", "false_negatives", "false_positives",
+              "false_positive_rate", "false_positive_rate_interior", "bands"})
+            EXPECT_TRUE(scene.contains(key)) << key;
+        const double particles = scene["particles"];
+        const double surface = scene["surface"];
+        const double false_positives = scene["false_positives"];
+        EXPECT_DOUBLE_EQ(scene["false_positive_rate"], false_positives / particles);
+        EXPECT_DOUBLE_EQ(scene["false_positive_rate_interior"],
+                         false_positives / (particles - surface));
+        ASSERT_EQ(scene["bands"].size(), 3U);
+    }
+    EXPECT_EQ(report["scenes"][0]["files"], Json({"droplet_iisph_04.vtkhdf"}));
+    EXPECT_EQ(report["scenes"][0]["particles"], 8192);
+    EXPECT_EQ(report["scenes"][1]["particles"], 10648);
+}
+
+/// Cells of a text in which no cell contains a comma.
+std::vector<Words> csv_rows(const std::string& text) {
+    std::vector<Words> rows;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        rows.emplace_back();
+        std::istringstream cells(line);
+        for (std::string cell; std::getline(cells, cell, ',');)
+            rows.back().push_back(cell);
+    }
+    return rows;
+}
+
+TEST_F(Audit, CsvAndTableSayWhatJsonSays) {
+    const Words words = {droplet, label(sample("cube_iisph_05")), "--model", line(60, 30)};
+    const Json report = json(words);
+    const auto rows = csv_rows(succeed(Words{"audit", "--format", "csv"} + words));
+    ASSERT_EQ(rows.size(), 4U); // names, two scenes, all
+    const std::string table = succeed(Words{"audit"} + words);
+    for (std::size_t s = 0; s < 2; ++s) {
+        const Json& scene = report["scenes"][s];
+        EXPECT_GT(scene["false_positives"], 0);
+        expect_mentions(table, {scene["scene"].get<std::string>().c_str(),
+                                scene["false_positives"].dump().c_str()});
+        for (std::size_t column = 0; column < rows[0].size(); ++column) {
+            const std::string& name = rows[0][column];
+            if (scene.contains(name) && scene[name].is_number()) {
+                EXPECT_EQ(Json::parse(rows[s + 1][column]), scene[name]) << name;
+            }
+        }
+    }
+    EXPECT_EQ(rows[0][0], "scene");
+    EXPECT_NE(std::find(rows[0].begin(), rows[0].end(), "false_negatives"), rows[0].end());
+}
+
+TEST_F(Audit, SameBytesWhateverTheThreads) {
+    std::set<std::string> reports;
+    for (const char* threads : {"1", "1", "2", "8"})
+        reports.insert(succeed(
+            {"audit", droplet, "--model", line(60, 30), "--format", "json", "--threads", threads}));
+    EXPECT_EQ(reports.size(), 1U);
+}
+
+TEST_F(Audit, LimitsExceededAreStatusOne) {
+    const Words misses = {"audit", droplet, "--model", line(0, 5)};
+    EXPECT_NE(succeed(misses), "");
+    fail(1, misses + Words{"--max-false-negatives", "0"}, {"false negatives", "more than"});
+    const Outcome outcome = run(program + misses + Words{"--max-false-negatives", "0"});
+    EXPECT_EQ(outcome.output, succeed(misses)) << "the report is still printed";
+    const Words takes_all = {"audit", droplet, "--model", line(0, 1000)};
+    fail(1, takes_all + Words{"--max-false-positive-rate", "0.1"},
+         {"scene SurfaceTension_DoubleDroplet_ZR2020", "false-positive rate", "0.1"});
+    succeed(takes_all + Words{"--max-false-negatives", "0"});
+    succeed(misses + Words{"--max-false-positive-rate", "0.1", "--max-false-negatives", "100000"});
+    fail(2, misses + Words{"--max-false-negatives", "-1"}, {"--max-false-negatives"});
+    fail(2, misses + Words{"--max-false-positive-rate", "nan"}, {"--max-false-positive-rate"});
+}
+
+TEST_F(Audit, QuietPrintsNothing) {
+    EXPECT_EQ(succeed({"audit", droplet, "--model", model, "--quiet"}), "");
+}
+
+TEST_F(Audit, TakesThePublishedLines) {
+    std::set<double> constants;
+    for (const auto& entry : std::filesystem::directory_iterator(MENISCUS_MODELS)) {
+        if (read_model(entry.path()).dimension != 3)
+            continue;
+        const Json report = json({droplet, "--model", entry.path(), "--label-threshold", "0"});
+        if (std::abs(report["model"]["k"].get<double>() - 74.6888) < 5e-5)
+            constants.insert(report["model"]["d"].get<double>());
+    }
+    EXPECT_EQ(constants, (std::set<double>{12, 13, 28, 35}));
+}
+
+TEST_F(Audit, WarnsOutsideTheTrainedRange) {
+    Snapshot dense = read_vtkhdf(droplet);
+    dense.particle_spacing = *dense.support_radius / 3;
+    const Outcome outcome =
+        run(program + Words{"audit", save(dense, "dense.vtkhdf"), "--model", model, "--quiet"});
+    EXPECT_EQ(outcome.status, 0);
+    expect_one_line(outcome.errors);
+    expect_mentions(outcome.errors, {"warning", "model.json", "h / particle spacing", "3", "2"});
+}
+
+TEST_F(Audit, RefusesAModelOfAnotherKind) {
+    const Path flat = label(save(block(9, 2), "flat.vtkhdf"));
+    fail(2, {"audit", flat, "--model", model}, {"model.json", "flat.vtkhdf", "3D", "2D"});
+    const Path wide = label(save(block(6), "wide.vtkhdf"), {"--radius-ratio", "0.9"});
+    fail(2, {"audit", wide, "--model", model}, {"model.json", "wide.vtkhdf", "radius ratio"});
+}
+
+} // namespace
+} // namespace meniscus

@@ -1,0 +1,27 @@
+#include "command.hpp"
+
+#include <meniscus/classifier/header_export.hpp>
+
+namespace meniscus {
+namespace {
+
+using Demo = CommandLine;
+
+TEST_F(Demo, RunsTheWholeChainAndKeepsItsLabels) {
+    const std::string printed = succeed({"demo", "-o", folder / "demo"});
+    const Model model = read_model(folder / "demo" / "model.json");
+    EXPECT_EQ(model.false_negatives, 0U);
+    const std::string header = bytes_of(folder / "demo" / "surface_coefficients.hpp");
+    EXPECT_EQ(header, coefficient_header(model, "SurfaceCoefficients"));
+    expect_mentions(printed, {"SurfaceTension_DoubleDroplet_ZR2020", "false pos.", header.c_str()});
+    std::size_t samples = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(MENISCUS_SAMPLES))
+        samples += entry.path().extension() == ".vtkhdf" ? 1 : 0;
+    EXPECT_EQ(model.training_files.size(), samples);
+    EXPECT_EQ(files().size(), samples + 2);
+    EXPECT_EQ(succeed({"demo", "-o", folder / "demo", "--quiet"}), "");
+    EXPECT_EQ(bytes_of(folder / "demo" / "surface_coefficients.hpp"), header);
+}
+
+} // namespace
+} // namespace meniscus

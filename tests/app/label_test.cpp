@@ -1,0 +1,214 @@
+#include "command.hpp"
+
+#include <meniscus/data/snapshot_files.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace meniscus {
+namespace {
+
+using Label = CommandLine;
+using Doubles = std::vector<double>;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+TEST_F(Label, NamesOutputsAfterInputs) {
+    const std::string printed =
+        succeed({"label", sample("droplet_iisph_01"), sample("cube_iisph_05"), "-o",
+                 folder / "new" / "folder", "--samples", "500"});
+    EXPECT_EQ(files(),
+              (Words{"new/folder/cube_iisph_05.vtkhdf", "new/folder/droplet_iisph_01.vtkhdf"}));
+    expect_mentions(printed,
+                    {"droplet_iisph_01.vtkhdf: 8192 particles in 3D",
+                     "cube_iisph_05.vtkhdf: 10648 particles in 3D", "mean neighbor count"});
+}
+
+TEST_F(Label, AddsLabelsToWhatIsThere) {
+    const Path input = sample("droplet_iisph_04");
+    const Snapshot before = read_vtkhdf(input);
+    const Snapshot after = read_vtkhdf(label(input));
+    EXPECT_EQ(after.positions, before.positions);
+    EXPECT_EQ(after.position_precision, before.position_precision);
+    EXPECT_EQ(after.scene, before.scene);
+    EXPECT_EQ(after.support_radius, before.support_radius);
+    const auto is = [&](const char* name, auto type) {
+        const PointArray* array = find_array(after, name);
+        return array != nullptr &&
+               std::holds_alternative<std::vector<decltype(type)>>(array->values);
+    };
+    EXPECT_TRUE(is("uncovered_fraction", double{}));
+    EXPECT_TRUE(is("mass_offset", double{}));
+    EXPECT_TRUE(is("surface", std::uint8_t{}));
+    EXPECT_TRUE(is("valid", std::uint8_t{}));
+    EXPECT_NE(find_array(after, "neighbor_count"), nullptr);
+    for (const auto& [name, value] : {std::pair{"method", "monte-carlo"},
+                                      {"samples", "500"},
+                                      {"scheme", "halton"},
+                                      {"seed", "0"}})
+        EXPECT_EQ(after.provenance.at(name), value);
+    EXPECT_EQ(after.provenance.at("input_hash"), file_hash(input));
+    EXPECT_EQ(after.provenance.count("program"), 1U);
+    EXPECT_EQ(after.provenance.count("radius_ratio"), 1U);
+}
+
+TEST_F(Label, RerunLeavesFilesAlone) {
+    const Path input = save(block(5), "block.vtkhdf");
+    const Path output = label(input);
+    const std::string bytes = bytes_of(output);
+    std::filesystem::last_write_time(output, std::filesystem::file_time_type::min());
+    const auto time = std::filesystem::last_write_time(output);
+    const std::string printed =
+        succeed({"label", input, "-o", folder / "labelled", "--samples", "500", "--threads", "2"});
+    EXPECT_EQ(printed, output.string() + ": up to date\n");
+    EXPECT_EQ(bytes_of(output), bytes);
+    EXPECT_EQ(std::filesystem::last_write_time(output), time);
+}
+
+TEST_F(Label, ChangedOptionsAreLabelledAgain) {
+    const Path input = save(block(5), "block.vtkhdf");
+    const Path output = label(input);
+    std::string bytes = bytes_of(output);
+    for (const Words& options : {Words{"--samples", "600"},
+                                 {"--seed", "7"},
+                                 {"--scheme", "random"},
+                                 {"--radius-ratio", "0.7"},
+                                 {"--support-radius", "1.1"},
+                                 {"--scene", "other"},
+                                 {"--particle-spacing", "0.45"},
+                                 {"--skip-invalid"}}) {
+        const Words base = {"label", input, "-o", folder / "labelled"};
+        const Words samples = options[0] == "--samples" ? Words{} : Words{"--samples", "500"};
+        const std::string printed = succeed(base + samples + options);
+        EXPECT_EQ(printed.find("up to date"), std::string::npos) << options[0];
+        EXPECT_NE(bytes_of(output), bytes) << options[0];
+        EXPECT_NE(succeed(base + samples + options).find("up to date"), std::string::npos);
+        bytes = bytes_of(output);
+    }
+}
+
+TEST_F(Label, ChangedInputIsLabelledAgain) {
+    const Path output = label(save(block(5), "block.vtkhdf"));
+    Snapshot moved = block(5);
+    moved.positions[62][0] += 0.2;
+    label(save(moved, "block.vtkhdf"));
+    EXPECT_EQ(read_vtkhdf(output).positions, moved.positions);
+}
+
+TEST_F(Label, OverwritesNothingThatItDidNotWrite) {
+    const Path input = save(block(5), "block.vtkhdf");
+    const Words words = {"label", input, "-o", folder / "out"};
+    std::filesystem::create_directory(folder / "out");
+    const Path text = write("out/block.vtkhdf", "notes of mine");
+    fail(2, words, {"out/block.vtkhdf", "exists"});
+    EXPECT_EQ(bytes_of(text), "notes of mine");
+    const Path unlabelled = save(block(3), "out/block.vtkhdf");
+    fail(2, words, {"out/block.vtkhdf", "exists"});
+    EXPECT_EQ(read_vtkhdf(unlabelled).size(), 27U);
+    std::filesystem::remove(unlabelled);
+    std::filesystem::create_directory(unlabelled);
+    fail(2, words, {"out/block.vtkhdf"});
+}
+
+TEST_F(Label, SameBytesWhateverTheThreads) {
+    for (const char* scheme : {"halton", "random"}) {
+        std::string first;
+        for (const char* threads : {"1", "1", "2", "8"}) {
+            std::filesystem::remove_all(folder / "labelled");
+            const Path output =
+                label(sample("droplet_iisph_01"), {"--scheme", scheme, "--threads", threads});
+            if (first.empty())
+                first = bytes_of(output);
+            EXPECT_TRUE(bytes_of(output) == first) << scheme << ", threads: " << threads;
+        }
+    }
+}
+
+TEST_F(Label, QuietPrintsNothing) {
+    const Words words = {"label", save(block(4), "block.vtkhdf"), "-o", folder / "out", "--quiet"};
+    EXPECT_EQ(succeed(words), "");
+    EXPECT_EQ(succeed(words), "");
+}
+
+TEST_F(Label, WarnsOfAnImplausibleSupportRadius) {
+    const Outcome outcome =
+        run(program + Words{"label", save(block(8), "block.vtkhdf"), "-o", folder / "out",
+                            "--samples", "50", "--support-radius", "3", "--quiet"});
+    EXPECT_EQ(outcome.status, 0);
+    expect_one_line(outcome.errors);
+    expect_mentions(outcome.errors, {"warning", "neighbor count", "support radius"});
+}
+
+TEST_F(Label, InvalidParticlesAreLeftOutOnRequest) {
+    Snapshot snapshot = block(5);
+    const auto without =
+        scalar_values(read_vtkhdf(label(save(snapshot, "whole.vtkhdf"))), "uncovered_fraction");
+    snapshot.positions.insert(snapshot.positions.begin() + 3, {nan, 0, 0});
+    snapshot.positions.push_back({0, HUGE_VAL, 0});
+    const Path input = save(snapshot, "holes.vtkhdf");
+    const Snapshot labelled = read_vtkhdf(label(input, {"--skip-invalid"}));
+    ASSERT_EQ(labelled.size(), 127U);
+    EXPECT_TRUE(std::isnan(labelled.positions[3][0]));
+    auto valid = scalar_values(labelled, "valid");
+    EXPECT_EQ(valid[3], 0);
+    EXPECT_EQ(valid[126], 0);
+    EXPECT_EQ(std::count(valid.begin(), valid.end(), 1), 125);
+    auto fractions = scalar_values(labelled, "uncovered_fraction");
+    fractions.erase(fractions.begin() + 3);
+    fractions.pop_back();
+    EXPECT_EQ(fractions, without);
+}
+
+TEST_F(Label, NoParticles) {
+    Snapshot none;
+    none.support_radius = 1;
+    EXPECT_EQ(read_vtkhdf(label(save(none, "none.vtkhdf"))).size(), 0U);
+}
+
+TEST_F(Label, OneParticleIsAllSurface) {
+    Snapshot one;
+    one.positions = {{1, 2, 3}};
+    const Path input = save(one, "one.vtkhdf");
+    const Outcome outcome = run(program + Words{"label", input, "-o", folder / "out", "--quiet",
+                                                "--support-radius", "0.1"});
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    const Snapshot labelled = read_vtkhdf(folder / "out" / "one.vtkhdf");
+    EXPECT_EQ(scalar_values(labelled, "uncovered_fraction"), Doubles{1});
+    EXPECT_EQ(scalar_values(labelled, "neighbor_count"), Doubles{0});
+}
+
+TEST_F(Label, TwoParticlesInOnePlaceCoverNothingOfEachOther) {
+    Snapshot pair;
+    pair.dimension = 3;
+    pair.support_radius = 1;
+    pair.positions = {{1, 2, 3}, {1, 2, 3}};
+    const Path input = save(pair, "pair.vtkhdf");
+    const Outcome outcome = run(program + Words{"label", input, "-o", folder / "out", "--quiet"});
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    const Snapshot labelled = read_vtkhdf(folder / "out" / "pair.vtkhdf");
+    EXPECT_EQ(scalar_values(labelled, "surface"), (Doubles{1, 1}));
+    EXPECT_EQ(scalar_values(labelled, "mass_offset"), (Doubles{0, 0}));
+}
+
+TEST_F(Label, SupportRadiusOfEachParticle) {
+    Snapshot snapshot = block(4);
+    snapshot.support_radius.reset();
+    Doubles radii(snapshot.size(), 1.0);
+    set_array(snapshot, {"support_radius", 1, radii});
+    EXPECT_EQ(read_vtkhdf(label(save(snapshot, "same.vtkhdf"))).support_radius, 1.0);
+    radii[17] = 1.25;
+    set_array(snapshot, {"support_radius", 1, radii});
+    fail(2, {"label", save(snapshot, "varying.vtkhdf"), "-o", folder / "out"},
+         {"varying.vtkhdf", "particle 17", "1.25", "--support-radius"});
+}
+
+TEST_F(Label, TwoDimensions) {
+    const Path flat = save(block(8, 2), "flat.vtkhdf");
+    const std::string printed = succeed({"label", flat, "-o", folder / "out"});
+    expect_mentions(printed, {"64 particles in 2D"});
+    fail(2, {"label", save(block(4), "solid.vtkhdf"), "-o", folder / "out", "--dimension", "2"},
+         {"solid.vtkhdf", "--dimension 2", "particle 16"});
+}
+
+} // namespace
+} // namespace meniscus

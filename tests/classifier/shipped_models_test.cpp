@@ -1,0 +1,54 @@
+// The headers in runtime/ are what the models in configs/models/ export to.
+#include <meniscus/classifier/header_export.hpp>
+#include <meniscus/classifier/model.hpp>
+#include <meniscus/runtime/relative_surface_coefficients.hpp>
+#include <meniscus/runtime/strict_surface_coefficients.hpp>
+#include <meniscus/runtime/surface_coefficients.hpp>
+
+#include <fstream>
+#include <gtest/gtest.h>
+#include <iterator>
+
+namespace meniscus {
+namespace {
+
+Model shipped(const std::string& name) {
+    return read_model(std::string(MENISCUS_MODELS) + "/" + name + ".json");
+}
+
+std::string runtime_header(const std::string& name) {
+    std::ifstream stream(std::string(MENISCUS_RUNTIME) + "/" + name + ".hpp", std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+TEST(ShippedModels, HeadersAreExportedFromThem) {
+    EXPECT_EQ(coefficient_header(shipped("surface_3d"), "SurfaceCoefficients"),
+              runtime_header("surface_coefficients"));
+    EXPECT_EQ(coefficient_header(shipped("surface_3d_strict"), "StrictSurfaceCoefficients"),
+              runtime_header("strict_surface_coefficients"));
+    EXPECT_EQ(coefficient_header(shipped("surface_3d_relative"), "RelativeSurfaceCoefficients"),
+              runtime_header("relative_surface_coefficients"));
+}
+
+TEST(ShippedModels, HeadersSayWhatTheModelsSay) {
+    EXPECT_EQ(shipped("surface_3d").line.k, SurfaceCoefficients::k);
+    EXPECT_EQ(shipped("surface_3d").line.d, SurfaceCoefficients::d);
+    EXPECT_EQ(StrictSurfaceCoefficients::label_threshold, 0);
+    EXPECT_EQ(RelativeSurfaceCoefficients::reference_neighbor_count, 40);
+}
+
+TEST(ShippedModels, MissNothingThatTheyWereTrainedOn) {
+    for (const char* name : {"surface_3d", "surface_3d_strict", "surface_3d_relative"})
+        EXPECT_EQ(shipped(name).false_negatives, 0U) << name;
+}
+
+TEST(ShippedModels, PublishedLinesAreModelsLikeAnyOther) {
+    for (const int d : {12, 13, 28, 35}) {
+        const Model model = shipped("splishsplash_d" + std::to_string(d));
+        EXPECT_NEAR(model.line.k, 74.6888, 1e-4);
+        EXPECT_EQ(model.line.d, d);
+    }
+}
+
+} // namespace
+} // namespace meniscus

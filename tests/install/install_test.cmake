@@ -1,0 +1,77 @@
+cmake_minimum_required(VERSION 3.25)
+
+# run(OUTPUT COMMAND...): the command must succeed; OUTPUT becomes what it prints.
+function(run output)
+    execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE out ERROR_VARIABLE err)
+    if(NOT status EQUAL 0)
+        list(JOIN ARGN " " command)
+        message("${out}${err}") # as it is: an error message would be wrapped
+        message(FATAL_ERROR "${command}\nended with ${status}")
+    endif()
+    set(${output} "${out}" PARENT_SCOPE)
+endfunction()
+
+# build_consumer(NAME OPTIONS...): configures and builds the project in the folder of that name.
+function(build_consumer name)
+    run(ignored ${CMAKE_COMMAND} -S ${CONSUMERS}/${name} -B ${WORK}/${name} -G ${GENERATOR}
+        -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=${CXX_COMPILER}
+        "-DCMAKE_CXX_FLAGS=${CXX_FLAGS}" ${ARGN})
+    run(ignored ${CMAKE_COMMAND} --build ${WORK}/${name})
+endfunction()
+
+function(expect_mention text part)
+    string(FIND "${text}" "${part}" place)
+    if(place EQUAL -1)
+        message(FATAL_ERROR "no '${part}' in:\n${text}")
+    endif()
+endfunction()
+
+file(REMOVE_RECURSE ${WORK})
+set(prefix ${WORK}/prefix)
+run(ignored ${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix} --config "${CONFIG}")
+
+# What is there, and nothing that only the build needs.
+foreach(file bin/meniscus include/meniscus/version.hpp include/meniscus/runtime/classifier.hpp
+        include/meniscus/runtime/surface_coefficients.hpp include/meniscus/data/vtkhdf.hpp
+        include/meniscus/labeler/labeler.hpp share/meniscus/samples/droplet_iisph_01.vtkhdf
+        share/meniscus/models/surface_3d.json)
+    if(NOT EXISTS ${prefix}/${file})
+        message(FATAL_ERROR "${file} is not installed")
+    endif()
+endforeach()
+file(GLOB_RECURSE sources ${prefix}/*.cpp ${prefix}/*_test.hpp)
+if(sources)
+    message(FATAL_ERROR "installed but not meant to be: ${sources}")
+endif()
+
+# The command, away from its build tree.
+set(meniscus ${prefix}/bin/meniscus)
+run(printed ${meniscus} demo -o ${WORK}/demo)
+expect_mention("${printed}" "struct SurfaceCoefficients")
+if(TRAINER)
+    run(loaded ${CMAKE_COMMAND} -E env LD_DEBUG=files LD_DEBUG_OUTPUT=${WORK}/loaded
+        ${meniscus} train ${WORK}/demo/labelled/droplet_iisph_01.vtkhdf -o ${WORK}/logistic.json
+        --objective logistic)
+    file(GLOB log ${WORK}/loaded.*)
+    file(STRINGS ${log} module REGEX "calling init: .*/libmeniscus_torch_trainer.so")
+    file(REAL_PATH ${prefix} real_prefix)
+    expect_mention("${module}" "${prefix}")
+endif()
+
+# A solver that uses the headers, with coefficients exported for it by the installed command; one
+# that writes, labels and reads snapshots; and the headers out of the source tree.
+run(ignored ${meniscus} export ${WORK}/demo/model.json -o ${WORK}/exported.hpp --name Exported)
+foreach(flags "" "-ffast-math -mavx2")
+    build_consumer(solver -DCMAKE_PREFIX_PATH=${prefix} -DEXPORTED=${WORK}/exported.hpp
+        "-DEXTRA_FLAGS=${flags}")
+    if(flags STREQUAL "") # a machine may compile for another's instruction set
+        run(ignored ${WORK}/solver/solver)
+    endif()
+endforeach()
+build_consumer(snapshots -DCMAKE_PREFIX_PATH=${prefix})
+run(ignored ${WORK}/snapshots/snapshots ${WORK}/written.vtkhdf)
+run(printed ${meniscus} label ${WORK}/written.vtkhdf -o ${WORK}/labelled)
+expect_mention("${printed}" "1000 particles in 3D")
+build_consumer(subproject -DMENISCUS_SOURCE=${SOURCE} -DSOLVER=${CONSUMERS}/solver
+    -DEXPORTED=${WORK}/exported.hpp)
+run(ignored ${WORK}/subproject/solver)

@@ -1,0 +1,108 @@
+// A solver with its own particles and its own way to find neighbors classifies them in the three
+// ways that the runtime offers. They must agree.
+#include EXPORTED
+
+#include <meniscus/runtime/classifier.hpp>
+#include <meniscus/runtime/surface_coefficients.hpp>
+
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <vector>
+
+namespace {
+
+using Real = float;
+using Vector = std::array<Real, 3>;
+
+constexpr Real support_radius = 1;
+constexpr Real mass = 0.125F;
+constexpr int edge = 10;
+
+std::vector<Vector> block_of_particles() {
+    std::vector<Vector> positions;
+    for (int z = 0; z < edge; ++z)
+        for (int y = 0; y < edge; ++y)
+            for (int x = 0; x < edge; ++x)
+                positions.push_back({0.45F * static_cast<Real>(x), 0.45F * static_cast<Real>(y),
+                                     0.45F * static_cast<Real>(z)});
+    return positions;
+}
+
+Vector between(const Vector& from, const Vector& to) {
+    return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
+}
+
+Real squared(const Vector& vector) {
+    return vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2];
+}
+
+/// In the loop that sums densities anyway; a paraboloid stands for the kernel.
+template <class Line>
+std::vector<std::uint8_t> fused(const std::vector<Vector>& positions) {
+    const auto range = meniscus::neighbor_range<Real>(support_radius, Line::radius_ratio);
+    const auto line = meniscus::surface_line<Line, Real>();
+    std::vector<std::uint8_t> surface;
+    Real density = 0;
+    for (const Vector& center : positions) {
+        meniscus::FeatureSum<Real, 3> sum;
+        for (const Vector& other : positions) {
+            const Vector displacement = between(center, other);
+            const Real distance_squared = squared(displacement);
+            if (distance_squared < support_radius * support_radius)
+                density += mass * (1 - distance_squared);
+            sum.add(displacement, distance_squared, mass, range);
+        }
+        surface.push_back(meniscus::is_surface(sum, line, support_radius) ? 1 : 0);
+    }
+    return density > 0 ? surface : std::vector<std::uint8_t>();
+}
+
+/// Over a view that is a callable: all particles, the particle itself included.
+template <class Line>
+std::vector<std::uint8_t> by_callable(const std::vector<Vector>& positions) {
+    const auto view = [&](std::size_t i, auto&& visit) {
+        for (std::size_t j = 0; j < positions.size(); ++j)
+            visit(j, between(positions[i], positions[j]), mass);
+    };
+    std::vector<std::uint8_t> surface(positions.size());
+    meniscus::classify<Line, Real, 3>(view, 0, positions.size(), support_radius, surface.data());
+    return surface;
+}
+
+/// Over lists in compressed rows.
+template <class Line>
+std::vector<std::uint8_t> by_lists(const std::vector<Vector>& positions) {
+    std::vector<int> offsets = {0};
+    std::vector<int> neighbors;
+    for (const Vector& center : positions) {
+        for (std::size_t j = 0; j < positions.size(); ++j)
+            if (squared(between(center, positions[j])) < support_radius * support_radius)
+                neighbors.push_back(static_cast<int>(j));
+        offsets.push_back(static_cast<int>(neighbors.size()));
+    }
+    const meniscus::CsrNeighborhood<Real, 3, 3, int, int> view{positions[0].data(), nullptr,
+                                                               offsets.data(), neighbors.data()};
+    std::vector<std::uint8_t> surface(positions.size());
+    meniscus::classify<Line, Real, 3>(view, 0, positions.size(), support_radius, surface.data());
+    return surface;
+}
+
+/// Corners are surface, the middle is not, and all ways agree.
+template <class Line>
+bool works(const std::vector<Vector>& positions) {
+    const auto surface = fused<Line>(positions);
+    constexpr int middle = edge / 2 * (1 + edge + edge * edge);
+    return surface == by_callable<Line>(positions) && surface == by_lists<Line>(positions) &&
+           surface.front() == 1 && surface.back() == 1 && surface.at(middle) == 0;
+}
+
+} // namespace
+
+int main() {
+    const auto positions = block_of_particles();
+    if (works<meniscus::SurfaceCoefficients>(positions) && works<meniscus::Exported>(positions))
+        return 0;
+    std::puts("the ways to classify disagree");
+    return 1;
+}
