@@ -89,10 +89,9 @@ bool is_finite(Real value) {
 template <class Real, int Dimension>
 bool is_surface(const FeatureSum<Real, Dimension>& sum, const SurfaceLine<Real>& line,
                 Real support_radius) {
-    if (sum.count == 0)
-        return true;
     // y - d <= k x, both sides squared: that saves the square root in x. Dividing first keeps
-    // small masses and radii from underflowing.
+    // small masses and radii from underflowing. | and & in place of || and &&, because whether a
+    // particle is surface is what a branch cannot be predicted on.
     const Real above = static_cast<Real>(sum.count) - line.d;
     const Real inverse = 1 / (support_radius * sum.total_mass());
     Real right_squared = 0;
@@ -101,9 +100,9 @@ bool is_surface(const FeatureSum<Real, Dimension>& sum, const SurfaceLine<Real>&
         right_squared += term * term;
     }
     const Real left_squared = above * above;
-    const bool below = line.k >= 0 ? above <= 0 || left_squared <= right_squared
-                                   : above <= 0 && left_squared >= right_squared;
-    return below || !is_finite(right_squared);
+    const int below = line.k >= 0 ? int{above <= 0} | int{left_squared <= right_squared}
+                                  : int{above <= 0} & int{left_squared >= right_squared};
+    return (below | int{sum.count == 0} | int{!is_finite(right_squared)}) != 0;
 }
 
 /// Classifies particles `begin` to `end - 1` of a neighborhood view: surface[i] becomes 1 or 0.

@@ -86,31 +86,6 @@ FeatureSum<Real, Dimension> sum_features(const View& view, std::size_t i,
     return sum_features_reference<Real, Dimension>(view, i, range);
 }
 
-template <bool EqualMasses, class Real, int Dimension, int Stride, class Offset, class Index>
-FeatureSum<Real, Dimension>
-sum_all(const ExactCsrNeighborhood<Real, Dimension, Stride, Offset, Index>& view, std::size_t i) {
-    FeatureSum<Real, Dimension> sum;
-    const Real* center = view.positions + i * Stride;
-    for (Offset n = view.offsets[i]; n < view.offsets[i + 1]; ++n) {
-        const auto j = static_cast<std::size_t>(view.neighbors[n]);
-        const Real mass = EqualMasses ? Real(1) : view.masses[j];
-        for (int axis = 0; axis < Dimension; ++axis)
-            sum.moment[axis] += mass * (view.positions[j * Stride + axis] - center[axis]);
-        if (!EqualMasses)
-            sum.mass += mass;
-    }
-    sum.count = static_cast<int>(view.offsets[i + 1] - view.offsets[i]);
-    return sum;
-}
-
-/// The sums where the lists are exact: gather and add.
-template <class Real, int Dimension, int Stride, class Offset, class Index>
-FeatureSum<Real, Dimension>
-sum_features(const ExactCsrNeighborhood<Real, Dimension, Stride, Offset, Index>& view,
-             std::size_t i, const NeighborRange<Real>& /*range*/) {
-    return view.masses == nullptr ? sum_all<true>(view, i) : sum_all<false>(view, i);
-}
-
 #if defined(__SSE2__)
 
 /// Adds up neighbors a vector at a time.
@@ -123,11 +98,11 @@ struct LaneSums {
     Lanes outer;
     Lanes moment[Dimension];
     Lanes mass;
-    Lanes count;
+    int count = 0;
 
     LaneSums(const Real* position, const NeighborRange<Real>& range)
         : inner(Lanes::all(range.inner_squared)), outer(Lanes::all(range.outer_squared)),
-          mass(Lanes::all(0)), count(Lanes::all(0)) {
+          mass(Lanes::all(0)) {
         for (int axis = 0; axis < Dimension; ++axis) {
             center[axis] = Lanes::all(position[axis]);
             moment[axis] = Lanes::all(0);
@@ -153,18 +128,31 @@ struct LaneSums {
         Lanes counts = (inner < squared) & (squared < outer);
         if (Part)
             counts = counts & Lanes::last(taken);
-        count = count + (counts & Lanes::all(1));
+        const unsigned bits = counts.bits();
+        if (bits != (1U << Lanes::count) - 1) { // rare but for the last part
+            for (Lanes& coordinate : displacement)
+                coordinate = counts & coordinate;
+            count += bits_set(bits);
+        } else {
+            count += Lanes::count;
+        }
         if (masses == nullptr) {
             for (int axis = 0; axis < Dimension; ++axis)
-                moment[axis] = moment[axis] + (counts & displacement[axis]);
+                moment[axis] = moment[axis] + displacement[axis];
             return;
         }
         for (int lane = 0; lane < Lanes::count; ++lane)
             from[lane] = masses + static_cast<std::size_t>(neighbors[lane]);
-        const Lanes weight = counts & Lanes::singles_of(from, 0);
-        mass = mass + weight;
+        const Lanes weight = Lanes::singles_of(from, 0);
+        mass = mass + (counts & weight);
         for (int axis = 0; axis < Dimension; ++axis)
             moment[axis] = moment[axis] + weight * displacement[axis];
+    }
+
+private:
+    /// Of up to four bits, from a table of 16 hexadecimal digits.
+    static int bits_set(unsigned bits) {
+        return static_cast<int>((0x4332322132212110ULL >> (4 * bits)) & 15U);
     }
 };
 
@@ -189,8 +177,72 @@ sum_features(const CsrNeighborhood<Real, Dimension, Stride, Offset, Index>& view
     for (int axis = 0; axis < Dimension; ++axis)
         sum.moment[axis] = sums.moment[axis].sum();
     sum.mass = sums.mass.sum();
-    sum.count = static_cast<int>(sums.count.sum());
+    sum.count = sums.count;
     return sum;
+}
+
+/// Adds up exact lists: two coordinates at a time, with two running sums in turn, since one alone
+/// would wait for its own last addition.
+template <class Real, int Dimension, int Stride, bool EqualMasses>
+struct PairSums {
+    using Lanes = typename LanesOf<Real>::Type;
+
+    Lanes plane[2] = {Lanes::all(0), Lanes::all(0)}; ///< first two coordinates of the moment
+    Real height[2] = {0, 0};                         ///< the third
+    Real mass[2] = {0, 0};
+
+    MENISCUS_INLINE void add(const Real* position, Real neighbor_mass, const Real* center,
+                             int which) {
+        Lanes offset = Lanes::pair(position) - Lanes::pair(center);
+        if (!EqualMasses) {
+            offset = offset * Lanes::all(neighbor_mass);
+            mass[which] += neighbor_mass;
+        }
+        plane[which] = plane[which] + offset;
+        if constexpr (Dimension == 3)
+            height[which] += (EqualMasses ? 1 : neighbor_mass) * (position[2] - center[2]);
+    }
+
+    [[nodiscard]] FeatureSum<Real, Dimension> total() const {
+        FeatureSum<Real, Dimension> sum;
+        (plane[0] + plane[1]).store_pair(sum.moment);
+        if constexpr (Dimension == 3)
+            sum.moment[2] = height[0] + height[1];
+        sum.mass = mass[0] + mass[1];
+        return sum;
+    }
+};
+
+template <bool EqualMasses, class Real, int Dimension, int Stride, class Offset, class Index>
+MENISCUS_INLINE FeatureSum<Real, Dimension>
+sum_all(const ExactCsrNeighborhood<Real, Dimension, Stride, Offset, Index>& view, std::size_t i) {
+    PairSums<Real, Dimension, Stride, EqualMasses> sums;
+    const Real* center = view.positions + i * Stride;
+    const auto add = [&](Index neighbor, int which) {
+        const auto j = static_cast<std::size_t>(neighbor);
+        sums.add(view.positions + j * Stride, EqualMasses ? Real(1) : view.masses[j], center,
+                 which);
+    };
+    const Index* next = view.neighbors + view.offsets[i];
+    const Index* end = view.neighbors + view.offsets[i + 1];
+    const auto count = static_cast<int>(end - next);
+    for (; end - next >= 2; next += 2) {
+        add(next[0], 0);
+        add(next[1], 1);
+    }
+    if (next != end)
+        add(next[0], 0);
+    auto sum = sums.total();
+    sum.count = count;
+    return sum;
+}
+
+/// The sums where the lists are exact: gather and add.
+template <class Real, int Dimension, int Stride, class Offset, class Index>
+MENISCUS_INLINE FeatureSum<Real, Dimension>
+sum_features(const ExactCsrNeighborhood<Real, Dimension, Stride, Offset, Index>& view,
+             std::size_t i, const NeighborRange<Real>& /*range*/) {
+    return view.masses == nullptr ? sum_all<true>(view, i) : sum_all<false>(view, i);
 }
 
 #endif

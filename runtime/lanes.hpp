@@ -29,6 +29,10 @@ struct FloatLanes {
     static FloatLanes last(int n) {
         return {_mm_cmplt_ps(_mm_set_ps(0, 1, 2, 3), _mm_set1_ps(static_cast<float>(n)))};
     }
+    /// Two values side by side, zeros in the other lanes.
+    static FloatLanes pair(const float* from) {
+        return {_mm_castpd_ps(_mm_load_sd(reinterpret_cast<const double*>(from)))};
+    }
     /// First and second value at each of four places.
     static void pairs_of(const float* const (&from)[count], FloatLanes& first, FloatLanes& second) {
         const auto pair = [](const float* low, const float* high) {
@@ -43,10 +47,15 @@ struct FloatLanes {
     static FloatLanes singles_of(const float* const (&from)[count], int offset) {
         return of(from[0] + offset, from[1] + offset, from[2] + offset, from[3] + offset);
     }
+    void store_pair(float* to) const {
+        _mm_store_sd(reinterpret_cast<double*>(to), _mm_castps_pd(value));
+    }
     [[nodiscard]] float sum() const {
         const __m128 halves = _mm_add_ps(value, _mm_movehl_ps(value, value));
         return _mm_cvtss_f32(_mm_add_ss(halves, _mm_shuffle_ps(halves, halves, 1)));
     }
+    /// A mask's lanes as bits.
+    [[nodiscard]] unsigned bits() const { return static_cast<unsigned>(_mm_movemask_ps(value)); }
     friend FloatLanes operator+(FloatLanes a, FloatLanes b) {
         return {_mm_add_ps(a.value, b.value)};
     }
@@ -72,6 +81,7 @@ struct DoubleLanes {
     static DoubleLanes last(int n) {
         return {_mm_cmplt_pd(_mm_set_pd(0, 1), _mm_set1_pd(static_cast<double>(n)))};
     }
+    static DoubleLanes pair(const double* from) { return {_mm_loadu_pd(from)}; }
     static void pairs_of(const double* const (&from)[count], DoubleLanes& first,
                          DoubleLanes& second) {
         const __m128d front = _mm_loadu_pd(from[0]);
@@ -82,9 +92,11 @@ struct DoubleLanes {
     static DoubleLanes singles_of(const double* const (&from)[count], int offset) {
         return {_mm_set_pd(from[1][offset], from[0][offset])};
     }
+    void store_pair(double* to) const { _mm_storeu_pd(to, value); }
     [[nodiscard]] double sum() const {
         return _mm_cvtsd_f64(_mm_add_sd(value, _mm_unpackhi_pd(value, value)));
     }
+    [[nodiscard]] unsigned bits() const { return static_cast<unsigned>(_mm_movemask_pd(value)); }
     friend DoubleLanes operator+(DoubleLanes a, DoubleLanes b) {
         return {_mm_add_pd(a.value, b.value)};
     }
