@@ -4,6 +4,7 @@
 //   published     SPlisHSPlasH's line with the constants d that its authors name
 //   sweep         neyman-pearson against an exhaustive sweep over slopes
 //   own-line      what a line fitted to one state alone would reach there, and its bulk
+//   readme        the short one of the README
 // Usage: accuracy_tables TABLE LABELLED...
 #include <meniscus/classifier/audit.hpp>
 #include <meniscus/classifier/torch_plugin.hpp>
@@ -132,41 +133,81 @@ void print_training(const std::vector<File>& files) {
         }
 }
 
+/// "missed (of surface), let through of all".
+std::string cell(const Errors& errors) {
+    return fmt::format("{} ({:.3f} %), {:.2f} %", errors.missed,
+                       percent(errors.missed, errors.surface),
+                       percent(errors.let_through, errors.particles));
+}
+
+void print_scene_columns(const std::string& first, const std::vector<std::string>& scenes,
+                         const std::string& last) {
+    std::string rule = "|---|---|";
+    fmt::print("| label threshold | {} |", first);
+    for (const std::string& scene : scenes) {
+        fmt::print(" {} |", scene);
+        rule += "---|";
+    }
+    fmt::print(" {} |\n{}---|\n", last, rule);
+}
+
+/// Trained on all scenes but one.
+Errors unseen_errors(const std::vector<File>& files, const std::string& objective, double threshold,
+                     const std::string& scene) {
+    return audit_scene(files, train_with(states_of(files, scene), objective, threshold), threshold,
+                       scene);
+}
+
 void print_unseen(const std::vector<File>& files) {
-    fmt::print("| label threshold | objective | scene left out | k | d | surface | false negatives "
-               "| missed area | false positives of all |\n"
-               "|---|---|---|---|---|---|---|---|---|\n");
+    const auto scenes = scenes_of(files);
+    print_scene_columns("objective", scenes, "missed area, worst scene");
     for (const double threshold : thresholds)
-        for (const std::string& objective : objectives())
-            for (const std::string& scene : scenes_of(files)) {
-                const Model model = train_with(states_of(files, scene), objective, threshold);
-                const Errors errors = audit_scene(files, model, threshold, scene);
-                fmt::print("| {} | {} | {} | {:.2f} | {:.2f} | {} | {} ({:.3f} %) | {:.4f} % | "
-                           "{:.2f} % |\n",
-                           threshold, objective, scene, model.line.k, model.line.d, errors.surface,
-                           errors.missed, percent(errors.missed, errors.surface),
-                           percent(errors.missed_area, errors.area),
-                           percent(errors.let_through, errors.particles));
+        for (const std::string& objective : objectives()) {
+            fmt::print("| {} | {} |", threshold, objective);
+            double worst_area = 0;
+            for (const std::string& scene : scenes) {
+                const Errors errors = unseen_errors(files, objective, threshold, scene);
+                worst_area = std::max(worst_area, percent(errors.missed_area, errors.area));
+                fmt::print(" {} |", cell(errors));
             }
+            fmt::print(" {:.4f} % |\n", worst_area);
+        }
+}
+
+Model published_model(double d) {
+    Model model;
+    model.objective = "published";
+    model.line = {74.688796680497925, d};
+    return model;
 }
 
 void print_published(const std::vector<File>& files) {
-    fmt::print("| label threshold | d | scene | surface | false negatives | missed area | false "
-               "positives of all |\n|---|---|---|---|---|---|---|\n");
-    Model model;
-    model.objective = "published";
+    const auto scenes = scenes_of(files);
+    print_scene_columns("d", scenes, "missed area, worst scene");
     for (const double threshold : {0.0, 0.02})
         for (const double d : {12.0, 13.0, 28.0, 35.0}) {
-            model.line = {74.688796680497925, d};
-            for (const std::string& scene : scenes_of(files)) {
-                const Errors errors = audit_scene(files, model, threshold, scene);
-                fmt::print("| {} | {} | {} | {} | {} ({:.2f} %) | {:.3f} % | {:.2f} % |\n",
-                           threshold, d, scene, errors.surface, errors.missed,
-                           percent(errors.missed, errors.surface),
-                           percent(errors.missed_area, errors.area),
-                           percent(errors.let_through, errors.particles));
+            fmt::print("| {} | {} |", threshold, d);
+            double worst_area = 0;
+            for (const std::string& scene : scenes) {
+                const Errors errors = audit_scene(files, published_model(d), threshold, scene);
+                worst_area = std::max(worst_area, percent(errors.missed_area, errors.area));
+                fmt::print(" {} |", cell(errors));
             }
+            fmt::print(" {:.4f} % |\n", worst_area);
         }
+}
+
+void print_readme(const std::vector<File>& files) {
+    constexpr double threshold = 0.02;
+    fmt::print(
+        "| scene | particles | our line: missed, let through | our relative line | published "
+        "line, d = 28 |\n|---|---|---|---|---|\n");
+    for (const std::string& scene : scenes_of(files)) {
+        const Errors plain = unseen_errors(files, "neyman-pearson", threshold, scene);
+        fmt::print("| {} | {} | {} | {} | {} |\n", scene, plain.particles, cell(plain),
+                   cell(unseen_errors(files, relative_objective, threshold, scene)),
+                   cell(audit_scene(files, published_model(28), threshold, scene)));
+    }
 }
 
 void print_sweep(const std::vector<File>& files) {
@@ -218,14 +259,11 @@ void print_own_line(const std::vector<File>& files) {
 
 int run(int argument_count, char** arguments) {
     const std::map<std::string, void (*)(const std::vector<File>&)> tables = {
-        {"training", print_training},
-        {"unseen", print_unseen},
-        {"published", print_published},
-        {"sweep", print_sweep},
-        {"own-line", print_own_line}};
+        {"training", print_training}, {"unseen", print_unseen},     {"published", print_published},
+        {"sweep", print_sweep},       {"own-line", print_own_line}, {"readme", print_readme}};
     if (argument_count < 3 || tables.count(arguments[1]) == 0)
-        throw std::runtime_error("usage: accuracy_tables training|unseen|published|sweep|own-line "
-                                 "LABELLED...");
+        throw std::runtime_error("usage: accuracy_tables training|unseen|published|sweep|own-line|"
+                                 "readme LABELLED...");
     std::vector<File> files;
     for (int a = 2; a < argument_count; ++a) {
         File file;

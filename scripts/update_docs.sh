@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# Prints the tables of README and docs/ again from the samples, between their "begin" and "end"
+# comments. Takes some minutes; speed wants an otherwise idle machine.
+# Usage: scripts/update_docs.sh [accuracy|speed]   (default: both)
+set -euo pipefail
+cd "$(dirname "$0")/.."
+bin=build/release/bin
+work=$(mktemp -d)
+trap 'rm -r "$work"' EXIT
+
+# replace FILE NAME < TEXT: the lines between the comments of that name.
+replace() {
+    cat >"$work/text"
+    awk -v name="$2" -v text="$work/text" '
+        $0 == "<!-- end " name " -->" { while ((getline line <text) > 0) print line; inside = 0 }
+        !inside { print }
+        $0 == "<!-- begin " name " -->" { inside = 1 }' "$1" >"$work/new"
+    cp "$work/new" "$1"
+}
+
+if [ "${1:-accuracy}" = accuracy ]; then
+    "$bin/meniscus" label data/samples/*.vtkhdf -o "$work/labelled" --quiet
+    for table in training unseen published sweep own-line; do
+        "$bin/accuracy_tables" "$table" "$work"/labelled/*.vtkhdf | replace docs/accuracy.md "$table"
+    done
+    "$bin/accuracy_tables" readme "$work"/labelled/*.vtkhdf | replace README.md readme
+fi
+if [ "${1:-speed}" = speed ]; then
+    "$bin/speed" data/samples/dam_dfsph_14.vtkhdf 2>/dev/null | replace docs/speed.md speed
+fi
