@@ -10,7 +10,7 @@ try:
     from vtkmodules.vtkIOHDF import vtkHDFReader
     import numpy
 except ImportError as error:
-    sys.exit(f"VTK's Python module is missing ({error}); on Debian: apt-get install python3-vtk9")
+    sys.exit(f"VTK's Python module or NumPy is missing ({error}); on Debian: apt-get install python3-vtk9 python3-numpy")
 
 POINT_DATA = {
     "int8": numpy.int8, "uint8": numpy.uint8, "int16": numpy.int16, "uint16": numpy.uint16,
