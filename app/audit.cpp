@@ -47,7 +47,7 @@ void run_audit(const AuditCommand& command) {
     const auto print = command.format == "json"  ? to_json
                        : command.format == "csv" ? to_csv
                                                  : to_table;
-    if (!command.quiet)
+    if (!command.quiet || command.format != "table")
         fmt::print("{}", print(report));
     check_limits(command, report);
 }
@@ -62,7 +62,7 @@ void add_audit(CLI::App& command) {
         ->required();
     verb->add_option("--model", options->model, "Model file")->required();
     verb->add_option("--label-threshold", options->audit.label_threshold,
-                     "Surface means an uncovered fraction above this")
+                     "Surface means an uncovered fraction above this (default: 0)")
         ->capture_default_str();
     verb->add_option("--scene", options->audit.scene,
                      "Scene of all snapshots, in place of their own");
@@ -76,7 +76,9 @@ void add_audit(CLI::App& command) {
                      "Exit with status 1 where a scene's rate over all particles is above this")
         ->check(CLI::Range(0.0, 1.0));
     add_threads_option(*verb, options->audit.threads);
-    add_quiet_option(*verb, options->quiet);
+    verb->add_flag(
+        "-q,--quiet", options->quiet,
+        "Print no table, only errors and warnings; json and csv are printed all the same");
     verb->callback([options] { run_audit(*options); });
 }
 

@@ -5,6 +5,7 @@
 #include <meniscus/classifier/classify_snapshot.hpp>
 #include <meniscus/data/errors.hpp>
 #include <meniscus/data/snapshot_files.hpp>
+#include <meniscus/data/text.hpp>
 #include <meniscus/data/vtkhdf.hpp>
 #include <meniscus/version.hpp>
 

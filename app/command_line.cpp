@@ -33,8 +33,12 @@ void on_interrupt(int /*signal*/) {
 void install_interrupt_handler() {
     struct sigaction action = {};
     action.sa_handler = on_interrupt;
-    sigaction(SIGINT, &action, nullptr);
-    sigaction(SIGTERM, &action, nullptr);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
+        struct sigaction inherited = {};
+        sigaction(signal, nullptr, &inherited);
+        if (inherited.sa_handler != SIG_IGN) // as nohup leaves it
+            sigaction(signal, &action, nullptr);
+    }
     std::signal(SIGXFSZ, SIG_IGN);
 }
 
@@ -101,6 +105,8 @@ std::vector<Path> output_files(const InputsAndFolder& files) {
 }
 
 void make_writable_folder(const Path& folder) {
+    if (folder.empty())
+        throw InputError("the name of the output folder is empty; give one with -o");
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error)
@@ -108,21 +114,6 @@ void make_writable_folder(const Path& folder) {
                                      error.message()));
     if (access(folder.c_str(), W_OK) != 0)
         throw InputError(fmt::format("{}: the output folder is not writable", folder.string()));
-}
-
-void naming_file(const Path& file, const std::function<void()>& work) {
-    try {
-        work();
-    } catch (const InputError& error) {
-        const std::string message = error.what();
-        if (message.find(file.string()) != std::string::npos)
-            throw;
-        throw InputError(file.string() + ": " + message);
-    }
-}
-
-std::string shortest(double value) {
-    return fmt::format("{}", value);
 }
 
 ProgressBar::ProgressBar(std::string title, std::size_t total, bool quiet)

@@ -6,7 +6,6 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -57,12 +56,6 @@ void make_writable_folder(const Path& folder);
 /// Throws InputError where `output` is one of the files that it is made from.
 void check_is_not_an_input(const Path& output, const std::vector<Path>& inputs);
 
-/// Calls `work`; an InputError without the file's name gets it in front.
-void naming_file(const Path& file, const std::function<void()>& work);
-
-/// The number in the shortest form that reads back to the same value.
-std::string shortest(double value);
-
 /// A bar on standard error while something long runs; silent where that is no terminal.
 class ProgressBar {
 public:
@@ -80,9 +73,9 @@ private:
     int shown_percent = -1;
 };
 
-/// From now on an interrupt (Ctrl-C, SIGTERM) ends the program with status 130, at once or, while
-/// a file is being written, right after: files appear whole or not at all. A file that outgrows a
-/// limit on its size becomes an ordinary error of writing.
+/// From now on an interrupt (Ctrl-C, SIGTERM, a terminal that closes) ends the program with status
+/// 130, at once or, while a file is being written, right after: files appear whole or not at all. A
+/// file that outgrows a limit on its size becomes an ordinary error of writing.
 void install_interrupt_handler();
 
 /// While one lives, an interrupt waits.

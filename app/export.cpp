@@ -20,6 +20,7 @@ struct ExportCommand {
 
 void run_export(const ExportCommand& command) {
     check_is_not_an_input(command.output, {command.model});
+    check_can_be_written(command.output);
     const Model model = read_model(command.model);
     const std::string header = coefficient_header(model, command.name);
     const WriteGuard guard;

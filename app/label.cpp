@@ -3,6 +3,7 @@
 
 #include <meniscus/data/errors.hpp>
 #include <meniscus/data/snapshot_files.hpp>
+#include <meniscus/data/text.hpp>
 #include <meniscus/data/vtkhdf.hpp>
 #include <meniscus/labeler/directions.hpp>
 

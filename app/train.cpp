@@ -35,6 +35,7 @@ std::vector<LabelledState> read_states(const TrainCommand& command) {
 
 void run_train(TrainCommand& command) {
     check_is_not_an_input(command.output, command.inputs);
+    check_can_be_written(command.output);
     if (!command.keep_k.empty())
         command.training.keep_k = read_model(command.keep_k);
     if (command.training.keep_k && command.training.keep_k->reference_neighbor_count > 0)

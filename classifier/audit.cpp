@@ -2,10 +2,10 @@
 
 #include "classify_snapshot.hpp"
 #include "confidence.hpp"
-#include "text.hpp"
 
 #include <meniscus/data/errors.hpp>
 #include <meniscus/data/snapshot_files.hpp>
+#include <meniscus/data/text.hpp>
 
 #include <algorithm>
 

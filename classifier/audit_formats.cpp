@@ -1,5 +1,6 @@
 #include "audit.hpp"
-#include "text.hpp"
+
+#include <meniscus/data/text.hpp>
 
 #include <nlohmann/json.hpp>
 

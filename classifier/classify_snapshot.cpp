@@ -1,9 +1,9 @@
 #include "classify_snapshot.hpp"
 
 #include "labelled_state.hpp"
-#include "text.hpp"
 
 #include <meniscus/data/errors.hpp>
+#include <meniscus/data/particle_arrays.hpp>
 #include <meniscus/runtime/classifier.hpp>
 
 #include <algorithm>
@@ -58,18 +58,6 @@ Predictions predict_as(const Model& model, const Snapshot& snapshot,
                                    : predict_as<Real, 3>(model, snapshot.positions, neighborhoods);
 }
 
-std::vector<std::uint8_t> valid_particles(const Snapshot& snapshot, bool skip_invalid) {
-    auto valid = finite_positions(snapshot);
-    const auto first = std::find(valid.begin(), valid.end(), 0);
-    if (first != valid.end() && !skip_invalid)
-        throw InputError(std::to_string(std::count(first, valid.end(), 0)) + " of " +
-                         std::to_string(valid.size()) +
-                         " particles have positions that are not finite, the first is particle " +
-                         std::to_string(first - valid.begin()) +
-                         "; --skip-invalid leaves them out");
-    return valid;
-}
-
 /// Typical neighbor count of the particles taken for interior ones.
 std::optional<double> interior_neighbor_count(const Classes& classes) {
     std::vector<std::uint32_t> counts;
@@ -85,17 +73,9 @@ std::optional<double> interior_neighbor_count(const Classes& classes) {
 
 Neighborhoods find_neighborhoods(const Snapshot& snapshot, double support_radius,
                                  const std::vector<std::uint8_t>& valid, int threads) {
-    std::vector<std::int64_t> phases;
-    if (find_array(snapshot, "phase") != nullptr)
-        for (const double phase : scalar_values(snapshot, "phase"))
-            phases.push_back(static_cast<std::int64_t>(phase));
+    const auto phases = integer_values(snapshot, "phase", valid);
     Neighborhoods result;
-    if (find_array(snapshot, "mass") != nullptr)
-        result.masses = scalar_values(snapshot, "mass");
-    for (std::size_t i = 0; i < result.masses.size(); ++i)
-        if (valid[i] != 0 && !(result.masses[i] > 0 && std::isfinite(result.masses[i])))
-            throw InputError("particle " + std::to_string(i) + " has mass " +
-                             number_text(result.masses[i]) + ", expected a positive number");
+    result.masses = checked_masses(snapshot, valid);
     result.support_radius = support_radius;
     result.valid = valid;
     result.lists = find_neighbors(snapshot.positions, support_radius,
@@ -115,7 +95,7 @@ Classes classify_snapshot(const Snapshot& snapshot, const Model& model,
     if (!snapshot.support_radius)
         throw InputError("no support radius is stored; give --support-radius");
     Classes classes;
-    classes.valid = valid_particles(snapshot, options.skip_invalid);
+    classes.valid = checked_positions(snapshot, options.skip_invalid);
     auto predictions = predict(
         model, snapshot,
         find_neighborhoods(snapshot, *snapshot.support_radius, classes.valid, options.threads),

@@ -1,8 +1,7 @@
 #include "header_export.hpp"
 
-#include "text.hpp"
-
 #include <meniscus/data/errors.hpp>
+#include <meniscus/data/text.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,8 @@
 #include "labelled_state.hpp"
 
-#include "text.hpp"
-
 #include <meniscus/data/errors.hpp>
 #include <meniscus/data/snapshot_files.hpp>
+#include <meniscus/data/text.hpp>
 #include <meniscus/runtime/classifier.hpp>
 
 #include <algorithm>

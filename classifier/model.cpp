@@ -1,8 +1,7 @@
 #include "model.hpp"
 
-#include "text.hpp"
-
 #include <meniscus/data/errors.hpp>
+#include <meniscus/data/text.hpp>
 
 #include <nlohmann/json.hpp>
 

@@ -1,10 +1,10 @@
 #include "trainer.hpp"
 
 #include "neyman_pearson.hpp"
-#include "text.hpp"
 #include "torch_plugin.hpp"
 
 #include <meniscus/data/errors.hpp>
+#include <meniscus/data/text.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 #include "neighbor_search.hpp"
 
 #include "errors.hpp"
+#include "text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +15,10 @@ namespace {
 using Cell = std::array<std::int64_t, 3>;
 
 constexpr std::uint32_t largest_count = std::numeric_limits<std::uint32_t>::max();
+
+// Beyond these the square of the radius, or what it is made of, leaves the range of double.
+constexpr double smallest_radius = 1e-150;
+constexpr double largest_radius = 1e150;
 
 /// Particles sorted by the bucket that their cell falls into. With few enough cells a bucket is a
 /// cell; otherwise distant cells may share one, which costs a distance test and nothing else.
@@ -70,7 +75,11 @@ bool is_valid(const NeighborFilter& filter, std::size_t i) {
 void check_input(const Positions& positions, double radius, const NeighborFilter& filter) {
     if (!(radius > 0) || !std::isfinite(radius))
         throw InputError("support radius must be positive and finite, found " +
-                         std::to_string(radius));
+                         number_text(radius));
+    if (radius < smallest_radius || radius > largest_radius)
+        throw InputError("support radius must lie between " + number_text(smallest_radius) +
+                         " and " + number_text(largest_radius) + " m, found " +
+                         number_text(radius) + "; is it in m?");
     if (positions.size() >= largest_count)
         throw InputError("at most 4294967294 particles can be searched, found " +
                          std::to_string(positions.size()));
@@ -103,7 +112,7 @@ void lay_out(Grid& grid, const Positions& positions, double radius, const Neighb
         extent = std::max(extent, high[axis] - low[axis]);
     const double radii = extent / radius;
     if (!(radii < 0x1p50))
-        throw InputError("the particles span " + std::to_string(radii) +
+        throw InputError("the particles span " + rounded_text(radii, 3) +
                          " support radii, more than double precision can resolve; is the support "
                          "radius right?");
     // A little larger than the radius, so that rounding of the cell coordinate never puts two

@@ -29,8 +29,9 @@ struct NeighborFilter {
 
 /// The neighbors of each particle at a distance strictly below `radius` (m). `threads` 0 takes all
 /// cores; the result does not depend on it. Throws InputError where radius is not positive and
-/// finite, where a valid particle's position is not finite, where there are more than 2^32 - 1
-/// particles, or where the extent exceeds what double can resolve against the radius (2^50 radii).
+/// finite or its square would leave the range of double (below 1e-150, above 1e150), where a valid
+/// particle's position is not finite, where there are more than 2^32 - 1 particles, or where the
+/// extent exceeds what double can resolve against the radius (2^50 radii).
 NeighborLists find_neighbors(const Positions& positions, double radius,
                              const NeighborFilter& filter = {}, int threads = 0);
 

@@ -45,7 +45,7 @@ void set_array(Snapshot& snapshot, PointArray array) {
     }
 }
 
-std::vector<double> scalar_values(const Snapshot& snapshot, std::string_view name) {
+const PointArray& scalar_array(const Snapshot& snapshot, std::string_view name) {
     const PointArray* array = find_array(snapshot, name);
     if (array == nullptr) {
         throw InputError("point data '" + std::string(name) +
@@ -56,7 +56,11 @@ std::vector<double> scalar_values(const Snapshot& snapshot, std::string_view nam
                          "': expected one value a particle, found " +
                          std::to_string(array->components));
     }
-    return as_doubles(*array);
+    return *array;
+}
+
+std::vector<double> scalar_values(const Snapshot& snapshot, std::string_view name) {
+    return as_doubles(scalar_array(snapshot, name));
 }
 
 std::vector<double> as_doubles(const PointArray& array) {

@@ -59,8 +59,11 @@ const PointArray* find_array(const Snapshot& snapshot, std::string_view name);
 /// components * snapshot.size(), else std::invalid_argument.
 void set_array(Snapshot& snapshot, PointArray array);
 
-/// The values of a one-component array as doubles. Throws InputError, naming the array, where it
-/// is missing or has several components.
+/// The array of that name, of one component. Throws InputError, naming the array, where it is
+/// missing or has several components.
+const PointArray& scalar_array(const Snapshot& snapshot, std::string_view name);
+
+/// The values of a one-component array as doubles. Throws as scalar_array does.
 std::vector<double> scalar_values(const Snapshot& snapshot, std::string_view name);
 
 /// Values as doubles, whatever their stored type.

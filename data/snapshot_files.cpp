@@ -14,8 +14,9 @@
 #include <fcntl.h>
 #include <fstream>
 #include <memory>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
-#include <utility>
 #include <vector>
 
 namespace meniscus {
@@ -70,10 +71,13 @@ bool is_failure_of_machine(int error) {
     return false;
 }
 
+fs::path folder_of(const fs::path& file) {
+    return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
 [[noreturn]] void fail_to_create(const fs::path& file) {
-    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-    const std::string message =
-        file.string() + ": cannot write to folder " + folder.string() + ": " + errno_text();
+    const std::string message = file.string() + ": cannot write to folder " +
+                                folder_of(file).string() + ": " + errno_text();
     if (is_failure_of_machine(errno)) {
         throw FailureError(message);
     }
@@ -84,27 +88,57 @@ bool is_failure_of_machine(int error) {
     throw FailureError(file.string() + ": writing failed, nothing was kept: " + errno_text());
 }
 
-/// The file that bytes go to before it takes its name. Removed unless it was renamed.
-class PartialFile {
-public:
-    explicit PartialFile(const fs::path& file) : target(file), partial(file) {
-        partial += ".partial";
-        descriptor = open(partial.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+/// True where the open file still has that name.
+bool has_name(int descriptor, const fs::path& name) {
+    struct stat opened = {};
+    struct stat named = {};
+    return fstat(descriptor, &opened) == 0 && stat(name.c_str(), &named) == 0 &&
+           opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
+}
+
+/// Opens the partial file of `target`, empty and locked until it is closed, or refuses. A lock ends
+/// with its process, so what a killed one left behind is taken over.
+int open_locked(const fs::path& partial, const fs::path& target) {
+    for (;;) {
+        const int descriptor = open(partial.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
         if (descriptor < 0) {
             fail_to_create(target);
         }
+        // File systems that know no locks go without.
+        if (flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+            close(descriptor);
+            throw FailureError(target.string() +
+                               ": is being written by another process; wait for it to end, or "
+                               "choose another output");
+        }
+        // Before the lock was ours, its last holder may have given the file its final name.
+        if (has_name(descriptor, partial)) {
+            if (ftruncate(descriptor, 0) != 0) {
+                close(descriptor);
+                fail_to_create(target);
+            }
+            return descriptor;
+        }
+        close(descriptor);
     }
+}
+
+/// The file that bytes go to before it takes its name. Removed unless it was renamed; closed last,
+/// because closing lets go of the lock.
+class PartialFile {
+public:
+    explicit PartialFile(const fs::path& file)
+        : target(file), partial(fs::path(file) += ".partial"),
+          descriptor(open_locked(partial, target)) {}
 
     PartialFile(const PartialFile&) = delete;
     PartialFile& operator=(const PartialFile&) = delete;
 
     ~PartialFile() {
-        if (descriptor >= 0) {
-            close(descriptor);
-        }
         if (!renamed) {
             unlink(partial.c_str());
         }
+        close(descriptor);
     }
 
     void append(std::string_view bytes) {
@@ -119,11 +153,8 @@ public:
     }
 
     void rename_to_target() {
-        // Without fsync a crash soon after could leave the name with nothing behind it. close()
-        // too can report a failed write (on network file systems).
-        const bool stored = fsync(descriptor) == 0;
-        const bool closed = stored && close(std::exchange(descriptor, -1)) == 0;
-        if (!closed || std::rename(partial.c_str(), target.c_str()) != 0) {
+        // Without fsync a crash soon after could leave the name with nothing behind it.
+        if (fsync(descriptor) != 0 || std::rename(partial.c_str(), target.c_str()) != 0) {
             fail_to_write(target);
         }
         renamed = true;
@@ -132,7 +163,7 @@ public:
 private:
     fs::path target;
     fs::path partial;
-    int descriptor = -1;
+    int descriptor;
     bool renamed = false;
 };
 
@@ -190,14 +221,24 @@ std::string file_hash(const fs::path& file) {
     return text;
 }
 
-void write_whole(const fs::path& file, std::string_view bytes) {
-    std::error_code ignored; // where the path cannot even be looked at, creating says why
+void check_can_be_written(const fs::path& file) {
+    if (!file.has_filename()) {
+        throw InputError("'" + file.string() + "': expected the name of a file to write");
+    }
+    std::error_code ignored; // where the path cannot even be looked at, its folder says why
     const fs::file_status status = fs::status(file, ignored);
     if (fs::exists(status) && !fs::is_regular_file(status)) {
         throw InputError(file.string() +
                          ": expected a file to replace or no file at all, found a " +
                          (fs::is_directory(status) ? "folder" : "device, pipe or socket"));
     }
+    if (access((folder_of(file) / ".").c_str(), W_OK | X_OK) != 0) {
+        fail_to_create(file);
+    }
+}
+
+void write_whole(const fs::path& file, std::string_view bytes) {
+    check_can_be_written(file);
     PartialFile partial(file);
     partial.append(bytes);
     partial.rename_to_target();

@@ -25,9 +25,14 @@ std::string read_whole(const std::filesystem::path& file, std::size_t most = std
 /// InputError where the file cannot be read.
 std::string file_hash(const std::filesystem::path& file);
 
-/// Writes bytes to `file` by way of a file beside it that is renamed at the end, so that `file`
-/// appears whole or not at all. Throws InputError where the folder cannot be written to, and
-/// FailureError where writing fails midway (nothing is left behind then).
+/// Throws InputError where `file` cannot be created or replaced: an empty name, the name of a
+/// folder or device, a folder that is missing or not writable. For finding out before long work.
+void check_can_be_written(const std::filesystem::path& file);
+
+/// Writes bytes to `file` by way of `file`.partial beside it that is renamed at the end, so that
+/// `file` appears whole or not at all. What a killed process left there is written over. Throws as
+/// check_can_be_written does, and FailureError where another process is writing the same file or
+/// where writing fails midway (nothing is left behind then).
 void write_whole(const std::filesystem::path& file, std::string_view bytes);
 
 } // namespace meniscus

@@ -4,6 +4,8 @@
 
 #include <meniscus/data/errors.hpp>
 #include <meniscus/data/neighbor_search.hpp>
+#include <meniscus/data/particle_arrays.hpp>
+#include <meniscus/data/text.hpp>
 #include <meniscus/runtime/features.hpp>
 #include <meniscus/version.hpp>
 
@@ -13,7 +15,6 @@
 #include <exception>
 #include <numeric>
 #include <omp.h>
-#include <sstream>
 
 namespace meniscus {
 namespace {
@@ -21,41 +22,9 @@ namespace {
 void check_options(const LabelOptions& options) {
     if (!(options.radius_ratio > 0 && options.radius_ratio < 1))
         throw InputError("radius ratio must lie between 0 and 1, found " +
-                         std::to_string(options.radius_ratio));
+                         number_text(options.radius_ratio));
     if (options.samples == 0)
         throw InputError("at least one sample a particle is needed");
-}
-
-std::vector<std::uint8_t> valid_particles(const Snapshot& snapshot, bool skip_invalid) {
-    auto valid = finite_positions(snapshot);
-    const auto first = std::find(valid.begin(), valid.end(), 0);
-    if (first != valid.end() && !skip_invalid)
-        throw InputError(std::to_string(std::count(first, valid.end(), 0)) + " of " +
-                         std::to_string(valid.size()) +
-                         " particles have positions that are not finite, the first is particle " +
-                         std::to_string(first - valid.begin()) +
-                         "; --skip-invalid leaves them out");
-    return valid;
-}
-
-/// Masses in kg, or empty where all are equal and need no weighting.
-std::vector<double> masses_of(const Snapshot& snapshot, const std::vector<std::uint8_t>& valid) {
-    if (find_array(snapshot, "mass") == nullptr)
-        return {};
-    auto masses = scalar_values(snapshot, "mass");
-    for (std::size_t i = 0; i < masses.size(); ++i)
-        if (valid[i] != 0 && !(masses[i] > 0 && std::isfinite(masses[i])))
-            throw InputError("particle " + std::to_string(i) + " has mass " +
-                             std::to_string(masses[i]) + ", expected a positive number");
-    return masses;
-}
-
-std::vector<std::int64_t> integers_of(const Snapshot& snapshot, const char* name) {
-    std::vector<std::int64_t> integers;
-    if (find_array(snapshot, name) != nullptr)
-        for (const double value : scalar_values(snapshot, name))
-            integers.push_back(static_cast<std::int64_t>(value));
-    return integers;
 }
 
 /// What all particles share.
@@ -91,10 +60,10 @@ Work prepare_work(const Snapshot& snapshot, double support_radius, const LabelOp
     work.scheme = &sampling_scheme(options.scheme);
     work.range = neighbor_range<double>(support_radius, options.radius_ratio);
     work.radius_ratio = options.radius_ratio;
-    work.valid = valid_particles(snapshot, options.skip_invalid);
-    work.masses = masses_of(snapshot, work.valid);
-    work.ids = integers_of(snapshot, "id");
-    const auto phases = integers_of(snapshot, "phase");
+    work.valid = checked_positions(snapshot, options.skip_invalid);
+    work.masses = checked_masses(snapshot, work.valid);
+    work.ids = integer_values(snapshot, "id", work.valid);
+    const auto phases = integer_values(snapshot, "phase", work.valid);
     work.lists = find_neighbors(snapshot.positions, support_radius,
                                 {&work.valid, phases.empty() ? nullptr : &phases}, options.threads);
     if (!work.scheme->per_particle) {
@@ -173,11 +142,10 @@ void for_all_particles(std::size_t count, const LabelOptions& options, WorkOn&& 
         std::rethrow_exception(failure);
 }
 
-std::string number_text(double value) {
-    std::ostringstream text;
-    text.precision(17);
-    text << value;
-    return text.str();
+/// 17 digits, not as few as read back to the same value: these bytes are part of what a labelled
+/// file is recognized by.
+std::string provenance_number(double value) {
+    return rounded_text(value, 17);
 }
 
 } // namespace
@@ -213,10 +181,10 @@ std::map<std::string, std::string> label_provenance(double support_radius,
             {"samples", std::to_string(options.samples)},
             {"scheme", options.scheme},
             {"seed", std::to_string(options.seed)},
-            {"radius_ratio", number_text(options.radius_ratio)},
-            {"support_radius", number_text(support_radius)},
-            {"neighbor_band", number_text(neighbor_band)},
-            {"label_bound", number_text(zero_uncovered_fraction)},
+            {"radius_ratio", provenance_number(options.radius_ratio)},
+            {"support_radius", provenance_number(support_radius)},
+            {"neighbor_band", provenance_number(neighbor_band)},
+            {"label_bound", provenance_number(zero_uncovered_fraction)},
             {"skip_invalid", options.skip_invalid ? "yes" : "no"}};
 }
 

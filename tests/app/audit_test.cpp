@@ -122,8 +122,11 @@ TEST_F(Audit, LimitsExceededAreStatusOne) {
     fail(2, misses + Words{"--max-false-positive-rate", "nan"}, {"--max-false-positive-rate"});
 }
 
-TEST_F(Audit, QuietPrintsNothing) {
+TEST_F(Audit, QuietPrintsNoTable) {
     EXPECT_EQ(succeed({"audit", droplet, "--model", model, "--quiet"}), "");
+    // What a program reads was asked for.
+    EXPECT_EQ(succeed({"audit", droplet, "--model", model, "--quiet", "--format", "json"}),
+              succeed({"audit", droplet, "--model", model, "--format", "json"}));
 }
 
 TEST_F(Audit, TakesThePublishedLines) {

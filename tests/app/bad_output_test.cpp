@@ -39,6 +39,11 @@ TEST_F(BadOutput, FolderThatCannotBe) {
     fail(2, {"demo", "-o", file}, {file.c_str()});
 }
 
+TEST_F(BadOutput, FolderWithoutAName) {
+    fail(2, {"label", input, "-o", ""}, {"output folder is empty"});
+    fail(2, {"classify", input, "--model", model, "-o", ""}, {"output folder is empty"});
+}
+
 TEST_F(BadOutput, FolderWithoutPermission) {
     if (geteuid() == 0)
         GTEST_SKIP() << "the superuser may write anywhere";
@@ -56,6 +61,15 @@ TEST_F(BadOutput, NamesThatAreFolders) {
     fail(2, {"export", model, "-o", folder / "taken.json"}, {"taken.json", "folder"});
     fail(2, {"train", labelled, "-o", folder / "none" / "m.json"}, {"none"});
     fail(2, {"export", model, "-o", folder / "none" / "h.hpp"}, {"none"});
+}
+
+TEST_F(BadOutput, IsFoundOutBeforeTheWork) {
+    const Path no_input = write("text", "neither labelled nor a model");
+    for (const Path& output : {folder / "none" / "file", Path()}) {
+        const char* said = output.empty() ? "the name of a file" : output.c_str();
+        fail(2, {"train", no_input, "-o", output}, {said});
+        fail(2, {"export", no_input, "-o", output}, {said});
+    }
 }
 
 TEST_F(BadOutput, NamesThatCollide) {

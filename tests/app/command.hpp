@@ -7,6 +7,7 @@
 #include <meniscus/data/snapshot.hpp>
 #include <meniscus/data/vtkhdf.hpp>
 
+#include <csignal>
 #include <fcntl.h>
 #include <spawn.h>
 #include <string>
@@ -43,10 +44,18 @@ protected:
         constexpr int flags = O_WRONLY | O_CREAT | O_TRUNC;
         posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, output_file.c_str(), flags, 0600);
         posix_spawn_file_actions_addopen(&files, STDERR_FILENO, errors_file.c_str(), flags, 0600);
+        // A shell that runs the tests in the background has them ignore Ctrl-C.
+        posix_spawnattr_t attributes;
+        posix_spawnattr_init(&attributes);
+        sigset_t all;
+        sigfillset(&all);
+        posix_spawnattr_setsigdefault(&attributes, &all);
+        posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
         pid_t process = 0;
-        EXPECT_EQ(posix_spawnp(&process, arguments[0], &files, nullptr, arguments.data(), environ),
-                  0)
+        EXPECT_EQ(
+            posix_spawnp(&process, arguments[0], &files, &attributes, arguments.data(), environ), 0)
             << words[0];
+        posix_spawnattr_destroy(&attributes);
         posix_spawn_file_actions_destroy(&files);
         return process;
     }

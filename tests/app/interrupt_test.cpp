@@ -47,7 +47,7 @@ protected:
 };
 
 TEST_F(Interrupt, IsOneLineAndLeavesNothing) {
-    for (const int signal : {SIGINT, SIGTERM}) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
         const Path out = folder / std::to_string(signal);
         const pid_t process = start(
             program + Words{"label", sample("crown_dfsph_15"), "-o", out, "--samples", "5000000"});
@@ -60,6 +60,16 @@ TEST_F(Interrupt, IsOneLineAndLeavesNothing) {
         EXPECT_EQ(outcome.output, "");
         EXPECT_TRUE(std::filesystem::is_empty(out));
     }
+}
+
+TEST_F(Interrupt, GoesUnheardWhereTheParentSaysSo) {
+    const Path out = folder / "out";
+    const Words deaf = {"sh", "-c", "trap '' HUP && exec \"$@\"", "sh"}; // as nohup does
+    const pid_t process = start(deaf + label_into(out));
+    wait_for(out / "state_0.vtkhdf", process);
+    kill(process, SIGHUP);
+    EXPECT_EQ(finish(process).status, 0);
+    EXPECT_TRUE(std::filesystem::exists(out / "state_11.vtkhdf"));
 }
 
 TEST_F(Interrupt, LeavesWholeFiles) {

@@ -1,4 +1,5 @@
 #include "classifier/labelled_snapshots.hpp"
+#include "data/expected_errors.hpp"
 
 #include <meniscus/classifier/classify_snapshot.hpp>
 #include <meniscus/data/errors.hpp>
@@ -30,13 +31,8 @@ TEST(ClassifySnapshot, WorksInTwoDimensions) {
 }
 
 TEST(ClassifySnapshot, CountsPositionsThatAreNotFinite) {
-    try {
-        classify_snapshot(chain(), chain_model(), {});
-        FAIL() << "no error";
-    } catch (const InputError& error) {
-        EXPECT_EQ(std::string(error.what()).find("1 of 7 particles"), 0U) << error.what();
-        EXPECT_NE(std::string(error.what()).find("particle 6"), std::string::npos);
-    }
+    expect_mentions(error_of<InputError>([] { classify_snapshot(chain(), chain_model(), {}); }),
+                    {"1 of 7 particles", "particle 6"});
 }
 
 TEST(ClassifySnapshot, RefusesWhatItCannotUse) {

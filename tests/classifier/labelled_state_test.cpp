@@ -15,13 +15,8 @@ namespace {
 using test::chain;
 using test::state_of;
 
-std::string error_of(const Snapshot& snapshot) {
-    try {
-        labelled_state(snapshot, "folder/chain.vtkhdf");
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no error";
+std::string refusal_of(const Snapshot& snapshot) {
+    return error_of<InputError>([&] { labelled_state(snapshot, "folder/chain.vtkhdf"); });
 }
 
 TEST(LabelledState, HoldsTheValidParticlesInOrder) {
@@ -43,17 +38,17 @@ TEST(LabelledState, NamesTheArrayThatIsMissing) {
         for (PointArray& array : snapshot.point_data)
             if (array.name == name)
                 array.name = "other";
-        const std::string error = error_of(snapshot);
+        const std::string error = refusal_of(snapshot);
         EXPECT_EQ(error.find("folder/chain.vtkhdf is not a labelled snapshot"), 0U) << error;
         EXPECT_NE(error.find(name), std::string::npos) << error;
         EXPECT_NE(error.find("meniscus label"), std::string::npos) << error;
     }
     Snapshot snapshot = chain();
     snapshot.provenance.clear();
-    EXPECT_NE(error_of(snapshot).find("radius_ratio"), std::string::npos);
+    EXPECT_NE(refusal_of(snapshot).find("radius_ratio"), std::string::npos);
     snapshot = chain();
     snapshot.support_radius.reset();
-    EXPECT_NE(error_of(snapshot).find("support radius"), std::string::npos);
+    EXPECT_NE(refusal_of(snapshot).find("support radius"), std::string::npos);
 }
 
 TEST(LabelledState, RefusesValuesOutOfRange) {
@@ -62,22 +57,22 @@ TEST(LabelledState, RefusesValuesOutOfRange) {
         for (const double wrong : {nan, -1.0, 8.0, std::numeric_limits<double>::infinity()}) {
             Snapshot snapshot = chain();
             set_array(snapshot, {name, 1, std::vector<double>{0, 0, 0, wrong, 0, 0, 0}});
-            const std::string error = error_of(snapshot);
+            const std::string error = refusal_of(snapshot);
             EXPECT_NE(error.find(std::string("'") + name + "' of particle 3"), std::string::npos)
                 << error;
         }
     Snapshot snapshot = chain();
     set_array(snapshot, {"neighbor_count", 1, std::vector<float>{1, 2, 2.5, 2, 1, 0, 0}});
-    EXPECT_NE(error_of(snapshot).find("whole numbers"), std::string::npos);
+    EXPECT_NE(refusal_of(snapshot).find("whole numbers"), std::string::npos);
     for (const char* ratio : {"", "0", "1.5", "nan", "0.8x"}) {
         snapshot = chain();
         snapshot.provenance["radius_ratio"] = ratio;
-        EXPECT_NE(error_of(snapshot).find("radius_ratio"), std::string::npos) << ratio;
+        EXPECT_NE(refusal_of(snapshot).find("radius_ratio"), std::string::npos) << ratio;
     }
     for (const double radius : {0.0, -1.0, nan}) {
         snapshot = chain();
         snapshot.support_radius = radius;
-        EXPECT_NE(error_of(snapshot).find("support radius"), std::string::npos) << radius;
+        EXPECT_NE(refusal_of(snapshot).find("support radius"), std::string::npos) << radius;
     }
 }
 

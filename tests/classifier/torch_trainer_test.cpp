@@ -1,4 +1,5 @@
 #include "classifier/synthetic_states.hpp"
+#include "data/expected_errors.hpp"
 
 #include <meniscus/classifier/torch_plugin.hpp>
 #include <meniscus/classifier/trainer.hpp>
@@ -63,12 +64,8 @@ TEST_P(TorchTrainer, SaysWhyThereIsNoLine) {
     // Surface particles with the more neighbors, no line below which they lie.
     const std::vector<LabelledState> upside_down = {state_of(
         "a", {{0.1, 40, 1}, {0.2, 41, 1}, {0.1, 42, 1}, {0.1, 10, 0}, {0.2, 11, 0}, {0.1, 12, 0}})};
-    try {
-        fit_with_torch(GetParam(), upside_down, 0, 1);
-        FAIL() << "no error";
-    } catch (const FailureError& error) {
-        EXPECT_NE(std::string(error.what()).find(GetParam()), std::string::npos) << error.what();
-    }
+    expect_mentions(error_of<FailureError>([&] { fit_with_torch(GetParam(), upside_down, 0, 1); }),
+                    {GetParam()});
 }
 
 INSTANTIATE_TEST_SUITE_P(Objectives, TorchTrainer, testing::Values("logistic", "network"),

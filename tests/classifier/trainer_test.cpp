@@ -1,4 +1,5 @@
 #include "classifier/synthetic_states.hpp"
+#include "data/expected_errors.hpp"
 
 #include <meniscus/classifier/trainer.hpp>
 #include <meniscus/data/errors.hpp>
@@ -14,13 +15,9 @@ namespace {
 using test::state_of;
 using test::two_clouds;
 
-std::string error_of(const std::vector<LabelledState>& states, const TrainingOptions& options) {
-    try {
-        train(states, options);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no error";
+std::string training_error(const std::vector<LabelledState>& states,
+                           const TrainingOptions& options) {
+    return error_of<InputError>([&] { train(states, options); });
 }
 
 std::vector<LabelledState> good_states() {
@@ -98,32 +95,34 @@ TEST(Train, KeepsTheSlopeOfAnotherModel) {
     EXPECT_EQ(model.false_negatives, 0U);
     options.keep_k->dimension = 2;
     options.keep_k->file = "flat.json";
-    const std::string error = error_of(good_states(), options);
+    const std::string error = training_error(good_states(), options);
     EXPECT_NE(error.find("flat.json"), std::string::npos) << error;
     EXPECT_NE(error.find("droplet.vtkhdf"), std::string::npos) << error;
 }
 
 TEST(Train, RefusesWhatItCannotTrainOn) {
-    EXPECT_NE(error_of({}, {}), "no error");
-    EXPECT_NE(error_of({state_of("a", {})}, {}).find("no surface particle"), std::string::npos);
-    EXPECT_NE(error_of({state_of("a", {{0.1, 5, 0}})}, {}).find("no surface particle"),
+    EXPECT_NE(training_error({}, {}), "");
+    EXPECT_NE(training_error({state_of("a", {})}, {}).find("no surface particle"),
               std::string::npos);
-    EXPECT_NE(error_of({state_of("a", {{0.1, 5, 1}})}, {}).find("no interior particle"),
+    EXPECT_NE(training_error({state_of("a", {{0.1, 5, 0}})}, {}).find("no surface particle"),
+              std::string::npos);
+    EXPECT_NE(training_error({state_of("a", {{0.1, 5, 1}})}, {}).find("no interior particle"),
               std::string::npos);
     auto mixed = good_states();
     mixed[1].dimension = 2;
-    EXPECT_EQ(error_of(mixed, {}),
+    EXPECT_EQ(training_error(mixed, {}),
               "droplet.vtkhdf is 3D and dam.vtkhdf is 2D; give files of one dimension");
     mixed = good_states();
     mixed[1].radius_ratio = 0.7;
-    EXPECT_NE(error_of(mixed, {}).find("0.7"), std::string::npos);
+    EXPECT_NE(training_error(mixed, {}).find("0.7"), std::string::npos);
     TrainingOptions options;
     options.objective = "guess";
-    EXPECT_NE(error_of(good_states(), options).find("guess"), std::string::npos);
+    EXPECT_NE(training_error(good_states(), options).find("guess"), std::string::npos);
     for (const double threshold : {-0.1, 1.0, std::nan("")}) {
         options = {};
         options.label_threshold = threshold;
-        EXPECT_NE(error_of(good_states(), options).find("label threshold"), std::string::npos);
+        EXPECT_NE(training_error(good_states(), options).find("label threshold"),
+                  std::string::npos);
     }
 }
 

@@ -1,6 +1,9 @@
 #include <meniscus/data/neighbor_search.hpp>
 
+#include "expected_errors.hpp"
+
 #include <meniscus/data/errors.hpp>
+#include <meniscus/data/text.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -119,6 +122,28 @@ TEST(NeighborSearch, SameListsOnAnyNumberOfThreads) {
 TEST(NeighborSearch, NoneAndOneParticle) {
     EXPECT_EQ(find_neighbors({}, 1).offsets, std::vector<std::size_t>{0});
     EXPECT_TRUE(find_neighbors({{0, 0, 0}}, 1).neighbors.empty());
+}
+
+TEST(NeighborSearch, AnyUnitOfLength) {
+    const auto lists = find_neighbors(random_positions(300, 1, 3, 11), 0.3);
+    for (const double unit : {0x1p-495, 0x1p-30, 0x1p30, 0x1p495}) { // about 1e-149, 1e-9, ...
+        auto positions = random_positions(300, 1, 3, 11);
+        for (auto& position : positions)
+            for (double& coordinate : position)
+                coordinate *= unit; // exact, as a power of two
+        const auto scaled = find_neighbors(positions, 0.3 * unit);
+        EXPECT_EQ(sorted_lists(scaled), sorted_lists(lists)) << unit;
+    }
+    for (const double radius : {1e-9, 1e9})
+        expect_same_as_all_pairs(random_positions(300, 3 * radius, 3, 11), radius);
+}
+
+TEST(NeighborSearch, RefusesRadiiWithoutASquare) {
+    for (const double radius : {1e-300, 1e-151, 1e151, 1e300})
+        expect_mentions(error_of<InputError>([&] {
+                            find_neighbors({{0, 0, 0}}, radius);
+                        }),
+                        {number_text(radius).c_str(), "1e-150", "1e+150"});
 }
 
 TEST(NeighborSearch, RefusesWhatCannotBeSearched) {

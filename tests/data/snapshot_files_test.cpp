@@ -4,9 +4,13 @@
 #include <meniscus/data/snapshot_files.hpp>
 #include <meniscus/data/vtkhdf.hpp>
 
+#include <atomic>
 #include <csignal>
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/resource.h>
-#include <sys/stat.h>
+#include <thread>
+#include <vector>
 
 namespace meniscus {
 namespace {
@@ -76,6 +80,57 @@ TEST_F(SnapshotFiles, RefusesFoldersThatCannotBeWrittenTo) {
         expect_mentions(message(folder / "out"), {folder.c_str(), "Permission denied"});
         fs::permissions(folder, fs::perms::owner_all);
     }
+}
+
+TEST_F(SnapshotFiles, RefusesNamesWithoutAFile) {
+    for (const fs::path& file : {fs::path(), folder / "none" / ""})
+        expect_mentions(error_of<InputError>([&] { write_whole(file, "bytes"); }),
+                        {file.c_str(), "the name of a file"});
+}
+
+TEST_F(SnapshotFiles, WhatCannotBeWrittenIsKnownBefore) {
+    check_can_be_written(folder / "out");
+    check_can_be_written(write("old", "old"));
+    EXPECT_EQ(bytes_of(folder / "old"), "old");
+    EXPECT_FALSE(fs::exists(folder / "out"));
+    for (const fs::path& file : {fs::path(), folder, folder / "none" / "out", folder / "old" / "x"})
+        EXPECT_THROW(check_can_be_written(file), InputError) << file;
+}
+
+TEST_F(SnapshotFiles, TwoWritersOfOneFileDoNotMix) {
+    // Another process in the middle of writing the same file.
+    const fs::path partial = write("out.partial", "half of");
+    const int other = open(partial.c_str(), O_WRONLY);
+    ASSERT_EQ(flock(other, LOCK_EX), 0);
+    expect_mentions(error_of<FailureError>([&] { write_whole(folder / "out", "bytes"); }),
+                    {"out", "being written by another process"});
+    EXPECT_EQ(bytes_of(partial), "half of");
+    EXPECT_FALSE(fs::exists(folder / "out"));
+    close(other); // it dies, and what it left is written over
+    write_whole(folder / "out", "bytes");
+    EXPECT_EQ(bytes_of(folder / "out"), "bytes");
+    EXPECT_FALSE(fs::exists(partial));
+}
+
+TEST_F(SnapshotFiles, ManyWritersOfOneFileLeaveAWholeOne) {
+    const fs::path file = folder / "out";
+    std::atomic<int> written{0};
+    std::vector<std::thread> writers;
+    for (const char letter : {'a', 'b', 'c', 'd'})
+        writers.emplace_back([&, letter] {
+            for (int round = 0; round < 50; ++round) {
+                try {
+                    write_whole(file, std::string(10'000, letter));
+                    ++written;
+                } catch (const FailureError&) { // another one is at it
+                }
+            }
+        });
+    for (std::thread& writer : writers)
+        writer.join();
+    EXPECT_GT(written, 0);
+    EXPECT_EQ(bytes_of(file), std::string(10'000, bytes_of(file).at(0)));
+    EXPECT_FALSE(fs::exists(folder / "out.partial"));
 }
 
 TEST_F(SnapshotFiles, LeavesNothingBehindWhenTheDiskIsFull) {

@@ -1,6 +1,8 @@
 // What the tests of files share: a folder that is empty at the start of each test and gone at its
-// end, files made of given bytes, and the message of an expected error.
+// end, and files made of given bytes.
 #pragma once
+
+#include "expected_errors.hpp"
 
 #include <gtest/gtest.h>
 
@@ -32,25 +34,5 @@ protected:
     const std::filesystem::path folder =
         std::filesystem::temp_directory_path() / ("meniscus_test_" + std::to_string(getpid()));
 };
-
-/// The message of the error of type Error that `action` throws; it must be one line.
-template <class Error, class Action>
-std::string error_of(Action action) {
-    try {
-        action();
-    } catch (const Error& error) {
-        std::string message = error.what();
-        EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-        return message;
-    }
-    ADD_FAILURE() << "expected an error, found none";
-    return {};
-}
-
-inline void expect_mentions(const std::string& message, std::initializer_list<const char*> parts) {
-    for (const char* part : parts) {
-        EXPECT_NE(message.find(part), std::string::npos) << "no '" << part << "' in: " << message;
-    }
-}
 
 } // namespace meniscus

@@ -1,3 +1,5 @@
+#include "data/expected_errors.hpp"
+
 #include <meniscus/labeler/directions.hpp>
 
 #include <meniscus/data/errors.hpp>
@@ -84,12 +86,8 @@ INSTANTIATE_TEST_SUITE_P(Schemes, EveryScheme, testing::Values("halton", "random
                          [](const auto& tested) { return std::string(tested.param); });
 
 TEST(Directions, UnknownSchemeIsRefusedWithTheKnownOnes) {
-    try {
-        sampling_scheme("sobol");
-        FAIL();
-    } catch (const InputError& error) {
-        EXPECT_STREQ(error.what(), "unknown sampling scheme 'sobol'; known are halton, random");
-    }
+    EXPECT_EQ(error_of<InputError>([] { sampling_scheme("sobol"); }),
+              "unknown sampling scheme 'sobol'; known are halton, random");
 }
 
 } // namespace

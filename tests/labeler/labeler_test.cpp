@@ -1,3 +1,5 @@
+#include "data/expected_errors.hpp"
+
 #include <meniscus/labeler/labeler.hpp>
 
 #include <meniscus/data/errors.hpp>
@@ -150,20 +152,31 @@ TEST(Labeler, MassesWeightTheOffset) {
     EXPECT_THROW(label_particles(snapshot, 1.0, LabelOptions{}), InputError);
 }
 
+TEST(Labeler, SameLabelsInAnyUnitOfLength) {
+    LabelOptions options;
+    options.samples = 1000;
+    const Labels labels = label_particles(lattice(5, 3), 2.0, options);
+    for (const double unit : {0x1p-30, 0x1p30}) { // about 1e-9 and 1e9, exact
+        auto snapshot = lattice(5, 3);
+        for (auto& position : snapshot.positions)
+            for (double& coordinate : position)
+                coordinate *= unit;
+        const Labels scaled = label_particles(snapshot, 2.0 * unit, options);
+        EXPECT_EQ(scaled.uncovered_fraction, labels.uncovered_fraction);
+        EXPECT_EQ(scaled.mass_offset, labels.mass_offset);
+        EXPECT_EQ(scaled.neighbor_count, labels.neighbor_count);
+    }
+}
+
 TEST(Labeler, SaysHowManyPositionsAreNotFiniteAndWhichFirst) {
     auto snapshot = lattice(4, 3);
     snapshot.positions[7][1] = std::nan("");
     snapshot.positions[12][0] = std::numeric_limits<double>::infinity();
     LabelOptions options;
     options.samples = 100;
-    try {
-        label_particles(snapshot, 2.0, options);
-        FAIL();
-    } catch (const InputError& error) {
-        EXPECT_STREQ(error.what(),
-                     "2 of 64 particles have positions that are not finite, the first "
-                     "is particle 7; --skip-invalid leaves them out");
-    }
+    EXPECT_EQ(error_of<InputError>([&] { label_particles(snapshot, 2.0, options); }),
+              "2 of 64 particles have positions that are not finite, the first is particle 7; "
+              "--skip-invalid leaves them out");
     options.skip_invalid = true;
     const auto labels = label_particles(snapshot, 2.0, options);
     EXPECT_EQ(labels.valid[7], 0);

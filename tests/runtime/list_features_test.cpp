@@ -69,9 +69,9 @@ void compare_lists() {
         for (const bool equal_masses : {true, false}) {
             const RandomLists<Real, Stride> any(seed, false);
             expect_same_as_reference<Dimension, Real>(
-                CsrNeighborhood<Real, Dimension, Stride>{
-                    any.positions.data(), equal_masses ? nullptr : any.masses.data(),
-                    any.offsets.data(), any.neighbors.data()},
+                CsrNeighborhood<Real, Dimension, Stride>{any.positions.data(),
+                                                         equal_masses ? nullptr : any.masses.data(),
+                                                         any.offsets.data(), any.neighbors.data()},
                 any.range());
             const RandomLists<Real, Stride> exact(seed, true);
             expect_same_as_reference<Dimension, Real>(
@@ -82,12 +82,24 @@ void compare_lists() {
         }
 }
 
-TEST(ListFeatures, Float3D) { compare_lists<float, 3, 3>(); }
-TEST(ListFeatures, Double3D) { compare_lists<double, 3, 3>(); }
-TEST(ListFeatures, Float3DPadded) { compare_lists<float, 3, 4>(); }
-TEST(ListFeatures, Double3DPadded) { compare_lists<double, 3, 4>(); }
-TEST(ListFeatures, Float2DInThreeCoordinates) { compare_lists<float, 2, 3>(); }
-TEST(ListFeatures, Double2DInThreeCoordinates) { compare_lists<double, 2, 3>(); }
+TEST(ListFeatures, Float3D) {
+    compare_lists<float, 3, 3>();
+}
+TEST(ListFeatures, Double3D) {
+    compare_lists<double, 3, 3>();
+}
+TEST(ListFeatures, Float3DPadded) {
+    compare_lists<float, 3, 4>();
+}
+TEST(ListFeatures, Double3DPadded) {
+    compare_lists<double, 3, 4>();
+}
+TEST(ListFeatures, Float2DInThreeCoordinates) {
+    compare_lists<float, 2, 3>();
+}
+TEST(ListFeatures, Double2DInThreeCoordinates) {
+    compare_lists<double, 2, 3>();
+}
 
 } // namespace
 } // namespace meniscus

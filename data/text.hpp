@@ -2,8 +2,9 @@
 // and error messages that name the file they are about.
 #pragma once
 
-#include <meniscus/data/errors.hpp>
+#include "errors.hpp"
 
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -20,13 +21,16 @@ std::string rounded_text(double value, int digits);
 /// The number that the whole text stands for, or nothing; the same in every locale.
 std::optional<double> number_from_text(const std::string& text);
 
-/// Calls `work()`; an InputError from it gets the file's name in front.
+/// Calls `work()`; an InputError from it that does not begin with the file's name gets it in front.
 template <class Work>
-auto naming_file(const std::string& file, Work&& work) {
+auto naming_file(const std::filesystem::path& file, Work&& work) {
     try {
         return work();
     } catch (const InputError& error) {
-        throw InputError(file + ": " + error.what());
+        const std::string message = error.what();
+        if (message.rfind(file.string(), 0) == 0)
+            throw;
+        throw InputError(file.string() + ": " + message);
     }
 }
 

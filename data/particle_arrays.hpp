@@ -1,0 +1,31 @@
+// The arrays of a snapshot that decide which particles count, and how much, checked once for all
+// who work on whole snapshots: the labeler and the classifier must agree on what they refuse.
+// Masses weight the features; phases keep fluids apart; ids key random numbers.
+#pragma once
+
+#include "snapshot.hpp"
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace meniscus {
+
+/// 1 for each particle with a finite position, else 0. Throws InputError where there is a 0 (how
+/// many, and the first index), unless skip_invalid.
+std::vector<std::uint8_t> checked_positions(const Snapshot& snapshot, bool skip_invalid);
+
+/// The values of the array `mass` in kg, or none where there is no such array: all masses are equal
+/// then and need no weighting. Throws InputError where the mass of a valid particle is not positive
+/// and finite.
+std::vector<double> checked_masses(const Snapshot& snapshot,
+                                   const std::vector<std::uint8_t>& valid);
+
+/// The values of an array of whole numbers (`id`, `phase`), or none where there is no such array.
+/// Integers of every type keep all their digits; unsigned ones beyond the range wrap around, so
+/// that different values stay different. Throws InputError where a valid particle has a
+/// floating-point value that is no whole number; 0 stands for those of other particles.
+std::vector<std::int64_t> integer_values(const Snapshot& snapshot, std::string_view name,
+                                         const std::vector<std::uint8_t>& valid);
+
+} // namespace meniscus
