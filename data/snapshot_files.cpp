@@ -96,31 +96,32 @@ bool has_name(int descriptor, const fs::path& name) {
            opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
 }
 
+[[noreturn]] void fail_as_being_written(const fs::path& file) {
+    throw FailureError(file.string() +
+                       ": is being written by another process; wait for it to end, or choose "
+                       "another output");
+}
+
 /// Opens the partial file of `target`, empty and locked until it is closed, or refuses. A lock ends
 /// with its process, so what a killed one left behind is taken over.
 int open_locked(const fs::path& partial, const fs::path& target) {
-    for (;;) {
+    for (int attempt = 0; attempt < 100; ++attempt) {
         const int descriptor = open(partial.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
         if (descriptor < 0) {
             fail_to_create(target);
         }
         // File systems that know no locks go without.
-        if (flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-            close(descriptor);
-            throw FailureError(target.string() +
-                               ": is being written by another process; wait for it to end, or "
-                               "choose another output");
-        }
+        const bool taken = flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
         // Before the lock was ours, its last holder may have given the file its final name.
-        if (has_name(descriptor, partial)) {
-            if (ftruncate(descriptor, 0) != 0) {
-                close(descriptor);
-                fail_to_create(target);
-            }
+        if (!taken && has_name(descriptor, partial) && ftruncate(descriptor, 0) == 0) {
             return descriptor;
         }
         close(descriptor);
+        if (taken) {
+            break;
+        }
     }
+    fail_as_being_written(target);
 }
 
 /// The file that bytes go to before it takes its name. Removed unless it was renamed; closed last,

@@ -29,27 +29,24 @@ struct FloatLanes {
     static FloatLanes last(int n) {
         return {_mm_cmplt_ps(_mm_set_ps(0, 1, 2, 3), _mm_set1_ps(static_cast<float>(n)))};
     }
-    /// Two values side by side, zeros in the other lanes.
+    /// Two values side by side, zeros in the other lanes. Floats need not lie as doubles would,
+    /// hence the loads that move halves.
     static FloatLanes pair(const float* from) {
-        return {_mm_castpd_ps(_mm_load_sd(reinterpret_cast<const double*>(from)))};
+        return {_mm_loadl_pi(_mm_setzero_ps(), reinterpret_cast<const __m64*>(from))};
     }
     /// First and second value at each of four places.
     static void pairs_of(const float* const (&from)[count], FloatLanes& first, FloatLanes& second) {
-        const auto pair = [](const float* low, const float* high) {
-            const __m128d half = _mm_load_sd(reinterpret_cast<const double*>(low));
-            return _mm_castpd_ps(_mm_loadh_pd(half, reinterpret_cast<const double*>(high)));
-        };
-        const __m128 front = pair(from[0], from[1]);
-        const __m128 back = pair(from[2], from[3]);
+        const __m128 front =
+            _mm_loadh_pi(pair(from[0]).value, reinterpret_cast<const __m64*>(from[1]));
+        const __m128 back =
+            _mm_loadh_pi(pair(from[2]).value, reinterpret_cast<const __m64*>(from[3]));
         first.value = _mm_shuffle_ps(front, back, _MM_SHUFFLE(2, 0, 2, 0));
         second.value = _mm_shuffle_ps(front, back, _MM_SHUFFLE(3, 1, 3, 1));
     }
     static FloatLanes singles_of(const float* const (&from)[count], int offset) {
         return of(from[0] + offset, from[1] + offset, from[2] + offset, from[3] + offset);
     }
-    void store_pair(float* to) const {
-        _mm_store_sd(reinterpret_cast<double*>(to), _mm_castps_pd(value));
-    }
+    void store_pair(float* to) const { _mm_storel_pi(reinterpret_cast<__m64*>(to), value); }
     [[nodiscard]] float sum() const {
         const __m128 halves = _mm_add_ps(value, _mm_movehl_ps(value, value));
         return _mm_cvtss_f32(_mm_add_ss(halves, _mm_shuffle_ps(halves, halves, 1)));

@@ -13,6 +13,9 @@ TEST_F(Demo, RunsTheWholeChainAndKeepsItsLabels) {
     EXPECT_EQ(model.false_negatives, 0U);
     const std::string header = bytes_of(folder / "demo" / "surface_coefficients.hpp");
     EXPECT_EQ(header, coefficient_header(model, "SurfaceCoefficients"));
+    // The shipped line is what anyone gets from the shipped samples.
+    EXPECT_EQ(bytes_of(folder / "demo" / "model.json"),
+              bytes_of(Path(MENISCUS_MODELS) / "surface_3d.json"));
     expect_mentions(printed, {"SurfaceTension_DoubleDroplet_ZR2020", "false pos.", header.c_str()});
     std::size_t samples = 0;
     for (const auto& entry : std::filesystem::directory_iterator(MENISCUS_SAMPLES))
