@@ -18,6 +18,7 @@
 #include <cstdio>
 #include <exception>
 #include <map>
+#include <utility>
 
 namespace meniscus {
 namespace {
@@ -52,7 +53,7 @@ void label_fast(benchmark::State& state, const Snapshot& snapshot, int threads) 
     LabelOptions options;
     options.samples = label_samples;
     options.threads = threads;
-    for (auto _ : state)
+    for ([[maybe_unused]] auto _ : state)
         benchmark::DoNotOptimize(label_particles(snapshot, *snapshot.support_radius, options));
 }
 
@@ -62,7 +63,7 @@ void label_reference(benchmark::State& state, const Snapshot& snapshot) {
     const auto range = neighbor_range<double>(h, 0.8);
     std::vector<Direction> directions(label_samples);
     fill_halton(3, 0, 0, directions);
-    for (auto _ : state) {
+    for ([[maybe_unused]] auto _ : state) {
         const auto lists = find_neighbors(snapshot.positions, h, {}, 1);
         const CsrNeighborhood<double, 3> view{snapshot.positions[0].data(), nullptr,
                                               lists.offsets.data(), lists.neighbors.data()};
@@ -83,7 +84,7 @@ template <class Real>
 void gather_and_add(benchmark::State& state, const Host<Real>& host) {
     std::vector<Real> sums(host.positions.size());
     const Real* positions = host.positions.data();
-    for (auto _ : state) {
+    for ([[maybe_unused]] auto _ : state) {
         for (std::size_t i = 0; i < host.size(); ++i) {
             Real sum[3] = {0, 0, 0};
             for (std::size_t n = host.lists.offsets[i]; n < host.lists.offsets[i + 1]; ++n) {
@@ -101,7 +102,7 @@ void gather_and_add(benchmark::State& state, const Host<Real>& host) {
 template <class Real, class View>
 void classify_lists(benchmark::State& state, const Host<Real>& host, const View& view) {
     std::vector<std::uint8_t> surface(host.size());
-    for (auto _ : state) {
+    for ([[maybe_unused]] auto _ : state) {
         classify<SurfaceCoefficients, Real, 3>(view, 0, host.size(), host.support_radius,
                                                surface.data());
         benchmark::ClobberMemory();
@@ -112,7 +113,7 @@ template <class Real, Fused fused>
 void density_pass(benchmark::State& state, const Host<Real>& host) {
     std::vector<Real> densities(host.size());
     std::vector<std::uint8_t> surface(host.size());
-    for (auto _ : state) {
+    for ([[maybe_unused]] auto _ : state) {
         density_loop<Real, fused>(host.positions.data(), host.masses.data(), host.lists,
                                   host.size(), host.support_radius, densities.data(),
                                   surface.data());
@@ -133,8 +134,9 @@ void register_for(const std::string& type, const Host<Real>& host) {
     });
     add("classify_reference", [&](auto& state) {
         const auto view = host.view(true); // not as a CSR view: the plain path
-        classify_lists(state, host,
-                       [&](std::size_t i, auto&& visit) { view(i, std::move(visit)); });
+        classify_lists(state, host, [&](std::size_t i, auto&& visit) {
+            view(i, std::forward<decltype(visit)>(visit));
+        });
     });
     add("density", [&](auto& state) { density_pass<Real, Fused::nothing>(state, host); });
     add("density_fused",
@@ -143,7 +145,7 @@ void register_for(const std::string& type, const Host<Real>& host) {
         [&](auto& state) { density_pass<Real, Fused::masses>(state, host); });
 }
 
-/// Shows the medians and keeps them. Processor time, which a busy machine disturbs least; wall time
+/// Keeps the medians. Processor time, which a busy machine disturbs least; wall time
 /// where threads are compared.
 class MedianReporter : public benchmark::ConsoleReporter {
 public:
@@ -159,8 +161,6 @@ public:
                                            ? run.GetAdjustedRealTime()
                                            : run.GetAdjustedCPUTime();
             medians[run.run_name.function_name] = nanoseconds * 1e-6;
-            std::printf("%-32s %10.3f ms\n", run.run_name.function_name.c_str(),
-                        nanoseconds * 1e-6);
         }
     }
 };
@@ -172,6 +172,12 @@ void print_ratio(const MedianReporter& reporter, const char* what, const std::st
     if (above != reporter.medians.end() && below != reporter.medians.end())
         std::printf("| %s | %s / %s | %.2f |\n", what, over.c_str(), under.c_str(),
                     above->second / below->second);
+}
+
+void print_medians(const MedianReporter& reporter) {
+    std::printf("| benchmark | median, ms |\n|---|---|\n");
+    for (const auto& [name, milliseconds] : reporter.medians)
+        std::printf("| %s | %.3f |\n", name.c_str(), milliseconds);
 }
 
 void print_ratios(const MedianReporter& reporter) {
@@ -229,6 +235,7 @@ int run(int argument_count, char** arguments) {
     register_for("double", in_double);
     MedianReporter reporter;
     benchmark::RunSpecifiedBenchmarks(&reporter);
+    print_medians(reporter);
     print_ratios(reporter);
     return 0;
 }
