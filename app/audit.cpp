@@ -56,13 +56,12 @@ void run_audit(const AuditCommand& command) {
 
 void add_audit(CLI::App& command) {
     auto options = std::make_shared<AuditCommand>();
-    options->audit.label_threshold = 0; // as everywhere on the command line
     auto* verb = command.add_subcommand("audit", "Count what a model misses and lets through");
     verb->add_option("LABELLED", options->inputs, "Snapshots that `meniscus label` has written")
         ->required();
     verb->add_option("--model", options->model, "Model file")->required();
     verb->add_option("--label-threshold", options->audit.label_threshold,
-                     "Surface means an uncovered fraction above this (default: 0)")
+                     "Surface means an uncovered fraction above this")
         ->capture_default_str();
     verb->add_option("--scene", options->audit.scene,
                      "Scene of all snapshots, in place of their own");

@@ -67,43 +67,14 @@ Model train_with(std::vector<LabelledState> states, const std::string& objective
     return train(states, options);
 }
 
-/// What the tables say of one scene or of all.
-struct Errors {
-    std::size_t particles = 0;
-    std::size_t surface = 0;
-    std::size_t missed = 0;
-    std::size_t missed_float = 0;
-    std::size_t let_through = 0;
-    std::size_t let_through_float = 0;
-    double area = 0;
-    double missed_area = 0;
-};
-
-Errors audit_scene(const std::vector<File>& files, const Model& model, double threshold,
-                   const std::string& scene) {
-    Errors errors;
-    for (const File& file : files) {
-        if (!scene.empty() && file.state.scene != scene)
-            continue;
-        const AuditRow row = audit_state(model, file.snapshot, file.state, threshold);
-        errors.particles += row.particles;
-        errors.surface += row.surface;
-        errors.missed += row.false_negatives;
-        errors.missed_float += row.false_negatives_float;
-        errors.let_through += row.false_positives;
-        errors.let_through_float += row.false_positives_float;
-        errors.area += row.surface_area;
-        errors.missed_area += row.missed_area;
-    }
-    return errors;
-}
-
-double percent(double part, double whole) {
-    return whole == 0 ? 0 : 100 * part / whole;
-}
-
-double percent(std::size_t part, std::size_t whole) {
-    return percent(static_cast<double>(part), static_cast<double>(whole));
+/// The audit of one scene; of all where it is empty.
+AuditRow audit_scene(const std::vector<File>& files, const Model& model, double threshold,
+                     const std::string& scene) {
+    AuditRow sum;
+    for (const File& file : files)
+        if (scene.empty() || file.state.scene == scene)
+            add_row(audit_state(model, file.snapshot, file.state, threshold), sum);
+    return sum;
 }
 
 /// Mean over scenes of the rate of false positives.
@@ -111,8 +82,7 @@ double mean_rate(const std::vector<File>& files, const Model& model, double thre
     double sum = 0;
     const auto scenes = scenes_of(files);
     for (const std::string& scene : scenes) {
-        const Errors errors = audit_scene(files, model, threshold, scene);
-        sum += percent(errors.let_through, errors.particles);
+        sum += 100 * false_positive_rate(audit_scene(files, model, threshold, scene));
     }
     return sum / static_cast<double>(scenes.size());
 }
@@ -125,19 +95,18 @@ void print_training(const std::vector<File>& files) {
     for (const double threshold : thresholds)
         for (const std::string& objective : objectives()) {
             const Model model = train_with(states, objective, threshold);
-            const Errors errors = audit_scene(files, model, threshold, "");
+            const AuditRow row = audit_scene(files, model, threshold, "");
             fmt::print("| {} | {} | {:.2f} | {:.2f} | {} / {} | {} / {} | {:.2f} % |\n", threshold,
-                       objective, model.line.k, model.line.d, errors.missed, errors.missed_float,
-                       errors.let_through, errors.let_through_float,
+                       objective, model.line.k, model.line.d, row.false_negatives,
+                       row.false_negatives_float, row.false_positives, row.false_positives_float,
                        mean_rate(files, model, threshold));
         }
 }
 
 /// "missed (of surface), let through of all".
-std::string cell(const Errors& errors) {
-    return fmt::format("{} ({:.3f} %), {:.2f} %", errors.missed,
-                       percent(errors.missed, errors.surface),
-                       percent(errors.let_through, errors.particles));
+std::string cell(const AuditRow& row) {
+    return fmt::format("{} ({:.3f} %), {:.2f} %", row.false_negatives,
+                       100 * false_negative_rate(row), 100 * false_positive_rate(row));
 }
 
 void print_scene_columns(const std::string& first, const std::vector<std::string>& scenes,
@@ -152,8 +121,8 @@ void print_scene_columns(const std::string& first, const std::vector<std::string
 }
 
 /// Trained on all scenes but one.
-Errors unseen_errors(const std::vector<File>& files, const std::string& objective, double threshold,
-                     const std::string& scene) {
+AuditRow unseen_row(const std::vector<File>& files, const std::string& objective, double threshold,
+                    const std::string& scene) {
     return audit_scene(files, train_with(states_of(files, scene), objective, threshold), threshold,
                        scene);
 }
@@ -166,9 +135,9 @@ void print_unseen(const std::vector<File>& files) {
             fmt::print("| {} | {} |", threshold, objective);
             double worst_area = 0;
             for (const std::string& scene : scenes) {
-                const Errors errors = unseen_errors(files, objective, threshold, scene);
-                worst_area = std::max(worst_area, percent(errors.missed_area, errors.area));
-                fmt::print(" {} |", cell(errors));
+                const AuditRow row = unseen_row(files, objective, threshold, scene);
+                worst_area = std::max(worst_area, 100 * missed_area_fraction(row));
+                fmt::print(" {} |", cell(row));
             }
             fmt::print(" {:.4f} % |\n", worst_area);
         }
@@ -189,9 +158,9 @@ void print_published(const std::vector<File>& files) {
             fmt::print("| {} | {} |", threshold, d);
             double worst_area = 0;
             for (const std::string& scene : scenes) {
-                const Errors errors = audit_scene(files, published_model(d), threshold, scene);
-                worst_area = std::max(worst_area, percent(errors.missed_area, errors.area));
-                fmt::print(" {} |", cell(errors));
+                const AuditRow row = audit_scene(files, published_model(d), threshold, scene);
+                worst_area = std::max(worst_area, 100 * missed_area_fraction(row));
+                fmt::print(" {} |", cell(row));
             }
             fmt::print(" {:.4f} % |\n", worst_area);
         }
@@ -203,9 +172,9 @@ void print_readme(const std::vector<File>& files) {
         "| scene | particles | our line: missed, let through | our relative line | published "
         "line, d = 28 |\n|---|---|---|---|---|\n");
     for (const std::string& scene : scenes_of(files)) {
-        const Errors plain = unseen_errors(files, "neyman-pearson", threshold, scene);
+        const AuditRow plain = unseen_row(files, "neyman-pearson", threshold, scene);
         fmt::print("| {} | {} | {} | {} | {} |\n", scene, plain.particles, cell(plain),
-                   cell(unseen_errors(files, relative_objective, threshold, scene)),
+                   cell(unseen_row(files, relative_objective, threshold, scene)),
                    cell(audit_scene(files, published_model(28), threshold, scene)));
     }
 }

@@ -48,28 +48,6 @@ void count_particle(double lambda, double label_threshold, bool predicted, bool 
         }
 }
 
-/// Adds the numbers of one row to another; scene stays.
-void add(const AuditRow& row, AuditRow& sum) {
-    sum.files.insert(sum.files.end(), row.files.begin(), row.files.end());
-    sum.files_trained_on += row.files_trained_on;
-    sum.particles += row.particles;
-    sum.surface += row.surface;
-    sum.false_negatives += row.false_negatives;
-    sum.false_positives += row.false_positives;
-    sum.false_negatives_float += row.false_negatives_float;
-    sum.false_positives_float += row.false_positives_float;
-    sum.false_positives_after_coverage_check += row.false_positives_after_coverage_check;
-    sum.features_differ += row.features_differ;
-    for (std::size_t b = 0; b < sum.bands.size(); ++b) {
-        sum.bands[b].particles += row.bands[b].particles;
-        sum.bands[b].missed += row.bands[b].missed;
-    }
-    sum.surface_area += row.surface_area;
-    sum.missed_area += row.missed_area;
-    sum.unseen_rates.insert(sum.unseen_rates.end(), row.unseen_rates.begin(),
-                            row.unseen_rates.end());
-}
-
 AuditRow& row_of_scene(const std::string& scene, std::vector<AuditRow>& rows) {
     const auto found = std::find_if(rows.begin(), rows.end(),
                                     [&](const AuditRow& row) { return row.scene == scene; });
@@ -92,6 +70,27 @@ double fraction(std::size_t part, std::size_t whole) {
 
 std::array<LambdaBand, 3> empty_bands() {
     return {LambdaBand{0, 0.005, 0, 0}, LambdaBand{0.005, 0.02, 0, 0}, LambdaBand{0.02, 1, 0, 0}};
+}
+
+void add_row(const AuditRow& row, AuditRow& sum) {
+    sum.files.insert(sum.files.end(), row.files.begin(), row.files.end());
+    sum.files_trained_on += row.files_trained_on;
+    sum.particles += row.particles;
+    sum.surface += row.surface;
+    sum.false_negatives += row.false_negatives;
+    sum.false_positives += row.false_positives;
+    sum.false_negatives_float += row.false_negatives_float;
+    sum.false_positives_float += row.false_positives_float;
+    sum.false_positives_after_coverage_check += row.false_positives_after_coverage_check;
+    sum.features_differ += row.features_differ;
+    for (std::size_t b = 0; b < sum.bands.size(); ++b) {
+        sum.bands[b].particles += row.bands[b].particles;
+        sum.bands[b].missed += row.bands[b].missed;
+    }
+    sum.surface_area += row.surface_area;
+    sum.missed_area += row.missed_area;
+    sum.unseen_rates.insert(sum.unseen_rates.end(), row.unseen_rates.begin(),
+                            row.unseen_rates.end());
 }
 
 double false_positive_rate(const AuditRow& row) {
@@ -165,7 +164,7 @@ AuditReport audit(const Model& model, const std::vector<std::filesystem::path>& 
         throw InputError("no labelled file to audit; give at least one");
     AuditReport report;
     report.model = model;
-    report.label_threshold = options.label_threshold.value_or(model.label_threshold);
+    report.label_threshold = options.label_threshold;
     check_label_threshold(report.label_threshold);
     report.total.scene = "all";
     std::vector<ModelUse> uses;
@@ -177,8 +176,8 @@ AuditReport audit(const Model& model, const std::vector<std::filesystem::path>& 
             state.scene = options.scene;
         const AuditRow row =
             audit_state(model, snapshot, state, report.label_threshold, options.threads);
-        add(row, row_of_scene(state.scene, report.scenes));
-        add(row, report.total);
+        add_row(row, row_of_scene(state.scene, report.scenes));
+        add_row(row, report.total);
         uses.push_back({state.file, spacing_ratio(state), bulk_neighbor_count(state)});
         if (row.features_differ != 0)
             report.warnings.push_back(

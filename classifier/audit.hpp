@@ -17,10 +17,9 @@
 namespace meniscus {
 
 struct AuditOptions {
-    std::optional<double>
-        label_threshold; ///< surface means lambda above this; nothing: the model's
-    std::string scene;   ///< replaces the files' own scenes where not empty
-    int threads = 0;     ///< 0: all cores; the report does not depend on it
+    double label_threshold = 0; ///< surface means lambda above this, whatever the model's
+    std::string scene;          ///< replaces the files' own scenes where not empty
+    int threads = 0;            ///< 0: all cores; the report does not depend on it
 };
 
 /// Particles whose uncovered fraction lies in (lower, upper], whatever the label threshold.
@@ -56,6 +55,9 @@ struct AuditRow {
     /// False-negative rate of each file that was not trained on and has surface particles.
     std::vector<double> unseen_rates;
 };
+
+/// Adds the numbers and files of `row` to `sum`, whose scene stays.
+void add_row(const AuditRow& row, AuditRow& sum);
 
 double false_positive_rate(const AuditRow& row);          ///< over all particles
 double false_positive_rate_interior(const AuditRow& row); ///< over particles not surface by label

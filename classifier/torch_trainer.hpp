@@ -1,6 +1,7 @@
 // What the program and its libtorch module say to each other. Only the module links libtorch, and
-// only training with `logistic` or `network` loads it (torch_plugin.hpp), because loading it costs
-// half a second. Hence plain structs and C functions: nothing of libtorch shows.
+// only training with `logistic` or `network` loads it (torch_plugin.hpp), because loading it takes
+// longer than most of what the other verbs do. Hence plain structs and C functions: nothing of
+// libtorch shows.
 #pragma once
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 // Vectors of 16 bytes, the width that every x86-64 has: four floats or two doubles. Only what the
-// pass over neighbor lists needs. Wider ones gain nothing there, since fetching scattered neighbors
-// costs more than calculating with them. Without SSE2, `has_lanes` is false and nothing else here
-// exists.
+// pass over neighbor lists needs. Fetching scattered neighbors costs more there than calculating
+// with them, so wider ones would not help much. Without SSE2 there is nothing here, and that pass
+// goes neighbor by neighbor.
 #pragma once
 
 #include "instruction_set.hpp"
@@ -14,8 +14,6 @@ namespace meniscus {
 inline namespace MENISCUS_INSTRUCTION_SET {
 
 #if defined(__SSE2__)
-
-inline constexpr bool has_lanes = true;
 
 struct FloatLanes {
     static constexpr int count = 4;
@@ -121,10 +119,6 @@ template <>
 struct LanesOf<double> {
     using Type = DoubleLanes;
 };
-
-#else
-
-inline constexpr bool has_lanes = false;
 
 #endif
 

@@ -21,8 +21,7 @@ inline namespace MENISCUS_INSTRUCTION_SET {
 /// Pair distances within this fraction of a limit count as at the limit. On the lattices that
 /// scenes start from, six neighbors stand at exactly h = 2 spacings, and without a band the last
 /// bit of a coordinate decides which of them count. Wide enough for float coordinates up to about
-/// 80 support radii from the origin; narrow enough that in developed flow one particle in a
-/// thousand has a pair inside it.
+/// 80 support radii from the origin; narrow enough that in developed flow a pair inside it is rare.
 inline constexpr double neighbor_band = 1e-5;
 
 /// The bits of a floating-point number as an unsigned integer. For numbers that are not negative
@@ -86,7 +85,7 @@ struct CsrNeighborhood {
 
 /// The same lists with a promise: all that they hold lies within the NeighborRange, as when the
 /// search was made with its outer limit and no two particles are as close as its inner one. Then
-/// nothing is tested, which takes a third less time.
+/// nothing is tested, which is faster (docs/speed.md).
 template <class Real, int Dimension, int Stride = Dimension, class Offset = std::size_t,
           class Index = std::uint32_t>
 struct ExactCsrNeighborhood : CsrNeighborhood<Real, Dimension, Stride, Offset, Index> {};

@@ -18,8 +18,8 @@ replace() {
     cp "$work/new" "$1"
 }
 
+"$bin/meniscus" label data/samples/*.vtkhdf -o "$work/labelled" --quiet
 if [ "${1:-accuracy}" = accuracy ]; then
-    "$bin/meniscus" label data/samples/*.vtkhdf -o "$work/labelled" --quiet
     for table in training unseen published sweep own-line; do
         "$bin/accuracy_tables" "$table" "$work"/labelled/*.vtkhdf | replace docs/accuracy.md "$table"
     done
@@ -27,4 +27,5 @@ if [ "${1:-accuracy}" = accuracy ]; then
 fi
 if [ "${1:-speed}" = speed ]; then
     "$bin/speed" data/samples/dam_dfsph_14.vtkhdf 2>/dev/null | replace docs/speed.md speed
+    "$bin/training_time" "$work"/labelled/*.vtkhdf | replace docs/speed.md training-time
 fi
