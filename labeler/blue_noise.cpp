@@ -33,14 +33,14 @@ double full_spacing(int dimension, double count) {
 void fill_jittered(int dimension, std::uint64_t seed, std::vector<Direction>& directions) {
     const auto count = static_cast<double>(directions.size());
     // Rows as high as cells are wide.
-    const auto rows = static_cast<std::size_t>(
-        dimension == 2 ? 1.0 : std::max(1.0, std::floor(std::sqrt(pi * count) / 2 + 0.5)));
+    const std::int64_t rows =
+        dimension == 2 ? 1 : std::max(1L, std::lround(std::sqrt(pi * count) / 2));
     const std::uint64_t key = mix_bits(seed);
     std::size_t begin = 0;
-    for (std::size_t row = 1; row <= rows; ++row) {
+    for (std::int64_t row = 1; row <= rows; ++row) {
         const double half_turn = 0.5 * static_cast<double>(row) / static_cast<double>(rows);
         const double height = direction_from_square(2, 0, half_turn)[0];
-        const auto end = static_cast<std::size_t>((1 - height) / 2 * count + 0.5);
+        const auto end = static_cast<std::size_t>(std::lround((1 - height) / 2 * count));
         const auto width = static_cast<double>(end - begin);
         for (std::size_t k = begin; k < end; ++k) {
             const double along = random_fraction(mix_bits(key + 2 * k));
