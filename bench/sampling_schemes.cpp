@@ -200,6 +200,7 @@ void write_json(const std::vector<Result>& results, const std::string& file) {
 int run(int argument_count, char** arguments) {
     if (argument_count < 3)
         throw std::runtime_error("usage: sampling_schemes OUTPUT.json SNAPSHOT...");
+    check_can_be_written(arguments[1]);
     const auto disc_cases = cases_of_a_disc();
     const auto file_cases =
         cases_of_files({arguments + 2, arguments + argument_count}, cases_per_file);
