@@ -76,11 +76,14 @@ void label_file(const Path& input, const Path& output, const LabelCommand& comma
     report(output, snapshot, labels, command.quiet);
 }
 
-std::vector<std::string> scheme_names() {
-    std::vector<std::string> names;
-    for (const auto& scheme : sampling_schemes())
-        names.emplace_back(scheme.name);
-    return names;
+/// Refuses what no sampling scheme is called.
+std::string check_scheme(const std::string& name) {
+    try {
+        sampling_scheme(name);
+        return {};
+    } catch (const InputError& error) {
+        return error.what();
+    }
 }
 
 } // namespace
@@ -125,8 +128,9 @@ void add_label(CLI::App& command) {
     verb->add_option("--samples", options->label.samples, "Directions tested a particle")
         ->check(CLI::Range(1, 1'000'000'000))
         ->capture_default_str();
-    verb->add_option("--scheme", options->label.scheme, "Sampling scheme of the directions")
-        ->check(CLI::IsMember(scheme_names()))
+    verb->add_option("--scheme", options->label.scheme,
+                     "Sampling scheme of the directions: " + sampling_scheme_names())
+        ->check(check_scheme)
         ->capture_default_str();
     verb->add_option("--seed", options->label.seed, "Seed of the scheme")
         ->check(whole_numbers())

@@ -50,18 +50,28 @@ const std::vector<SamplingScheme>& sampling_schemes() {
     static const std::vector<SamplingScheme> schemes = {
         {"halton", false, fill_halton},
         {"random", true, fill_random},
+        {"table", true, fill_table},
+        {"blue-noise", false, fill_blue_noise},
     };
     return schemes;
 }
 
-const SamplingScheme& sampling_scheme(std::string_view name) {
-    std::string known;
-    for (const SamplingScheme& scheme : sampling_schemes()) {
+std::string sampling_scheme_names() {
+    std::string names;
+    for (const SamplingScheme& scheme : sampling_schemes())
+        names += scheme.name + ", ";
+    return names + "halton-P-Q (two different primes up to " + std::to_string(largest_halton_base) +
+           ")";
+}
+
+SamplingScheme sampling_scheme(std::string_view name) {
+    for (const SamplingScheme& scheme : sampling_schemes())
         if (scheme.name == name)
             return scheme;
-        known += (known.empty() ? "" : ", ") + std::string(scheme.name);
-    }
-    throw InputError("unknown sampling scheme '" + std::string(name) + "'; known are " + known);
+    if (auto scheme = halton_scheme(name))
+        return *scheme;
+    throw InputError("unknown sampling scheme '" + std::string(name) + "'; known are " +
+                     sampling_scheme_names());
 }
 
 Direction direction_from_square(int dimension, double u, double v) {
@@ -73,11 +83,8 @@ Direction direction_from_square(int dimension, double u, double v) {
     return {radius * cosine, radius * sine, z};
 }
 
-std::uint64_t mix_bits(std::uint64_t value) {
-    value += 0x9e3779b97f4a7c15ULL;
-    value = (value ^ (value >> 30)) * 0xbf58476d1ce4e5b9ULL;
-    value = (value ^ (value >> 27)) * 0x94d049bb133111ebULL;
-    return value ^ (value >> 31);
+double random_fraction(std::uint64_t bits) {
+    return static_cast<double>(bits >> 11) * 0x1p-53;
 }
 
 } // namespace meniscus

@@ -1,7 +1,10 @@
-// The Halton sequence in bases 2 and 3 (2020 paper, section 3.3): the paper's best scheme. On the
-// circle base 2 alone. A seed other than 0 moves the whole sequence by a random offset, which keeps
-// its evenness (Cranley and Patterson 1976).
+// Halton's sequence (2020 paper, section 3.3): the digits of the index in one prime base, mirrored,
+// give the height on the axis, those in another base the angle around it; on the circle the first
+// base alone. Bases 2 and 3 are the paper's best scheme. A seed other than 0 moves the whole
+// sequence by a random offset, which keeps its evenness (Cranley and Patterson 1976).
 #include "directions.hpp"
+
+#include <meniscus/runtime/random_directions.hpp>
 
 namespace meniscus {
 namespace {
@@ -18,7 +21,7 @@ double radical_inverse(std::uint64_t index, std::uint64_t base) {
 }
 
 double offset_of(std::uint64_t seed, std::uint64_t axis) {
-    return seed == 0 ? 0 : static_cast<double>(mix_bits(2 * seed + axis) >> 11) * 0x1p-53;
+    return seed == 0 ? 0 : random_fraction(mix_bits(2 * seed + axis));
 }
 
 double wrapped_sum(double a, double b) {
@@ -26,19 +29,44 @@ double wrapped_sum(double a, double b) {
     return sum < 1 ? sum : sum - 1;
 }
 
+bool is_prime(std::uint64_t number) {
+    for (std::uint64_t divisor = 2; divisor * divisor <= number; ++divisor)
+        if (number % divisor == 0)
+            return false;
+    return number > 1;
+}
+
+void fill_in_bases(std::uint64_t first, std::uint64_t second, int dimension, std::uint64_t seed,
+                   std::vector<Direction>& directions) {
+    const double offset_u = offset_of(seed, 0);
+    const double offset_v = offset_of(seed, 1);
+    const std::uint64_t base_around = dimension == 2 ? first : second;
+    for (std::size_t k = 0; k < directions.size(); ++k) {
+        // From index 1: index 0 would be the pole itself.
+        const double u = wrapped_sum(radical_inverse(k + 1, first), offset_u);
+        const double v = wrapped_sum(radical_inverse(k + 1, base_around), offset_v);
+        directions[k] = direction_from_square(dimension, u, v);
+    }
+}
+
 } // namespace
 
 void fill_halton(int dimension, std::uint64_t seed, std::uint64_t /*particle*/,
                  std::vector<Direction>& directions) {
-    const double offset_u = offset_of(seed, 0);
-    const double offset_v = offset_of(seed, 1);
-    const std::uint64_t base_around = dimension == 2 ? 2 : 3;
-    for (std::size_t k = 0; k < directions.size(); ++k) {
-        // From index 1: index 0 would be the pole itself.
-        const double u = wrapped_sum(radical_inverse(k + 1, 2), offset_u);
-        const double v = wrapped_sum(radical_inverse(k + 1, base_around), offset_v);
-        directions[k] = direction_from_square(dimension, u, v);
-    }
+    fill_in_bases(2, 3, dimension, seed, directions);
+}
+
+std::optional<SamplingScheme> halton_scheme(std::string_view name) {
+    for (std::uint64_t p = 2; p <= largest_halton_base; ++p)
+        for (std::uint64_t q = 2; q <= largest_halton_base; ++q)
+            if (p != q && is_prime(p) && is_prime(q) &&
+                name == "halton-" + std::to_string(p) + "-" + std::to_string(q))
+                return SamplingScheme{std::string(name), false,
+                                      [p, q](int dimension, std::uint64_t seed, std::uint64_t,
+                                             std::vector<Direction>& directions) {
+                                          fill_in_bases(p, q, dimension, seed, directions);
+                                      }};
+    return {};
 }
 
 } // namespace meniscus

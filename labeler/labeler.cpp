@@ -33,7 +33,7 @@ struct Work {
     std::size_t samples = 0;
     std::uint64_t seed = 0;
     int dimension = 3;
-    const SamplingScheme* scheme = nullptr;
+    SamplingScheme scheme;
     NeighborRange<double> range{};
     double radius_ratio = 0;
     std::vector<std::uint8_t> valid;
@@ -57,7 +57,7 @@ Work prepare_work(const Snapshot& snapshot, double support_radius, const LabelOp
     work.samples = options.samples;
     work.seed = options.seed;
     work.dimension = snapshot.dimension;
-    work.scheme = &sampling_scheme(options.scheme);
+    work.scheme = sampling_scheme(options.scheme);
     work.range = neighbor_range<double>(support_radius, options.radius_ratio);
     work.radius_ratio = options.radius_ratio;
     work.valid = checked_positions(snapshot, options.skip_invalid);
@@ -66,9 +66,9 @@ Work prepare_work(const Snapshot& snapshot, double support_radius, const LabelOp
     const auto phases = integer_values(snapshot, "phase", work.valid);
     work.lists = find_neighbors(snapshot.positions, support_radius,
                                 {&work.valid, phases.empty() ? nullptr : &phases}, options.threads);
-    if (!work.scheme->per_particle) {
+    if (!work.scheme.per_particle) {
         std::vector<Direction> directions(work.samples);
-        work.scheme->fill(work.dimension, work.seed, 0, directions);
+        work.scheme.fill(work.dimension, work.seed, 0, directions);
         work.table = compact_blocks(std::move(directions));
     }
     return work;
@@ -98,10 +98,10 @@ void label_particle(const Work& work, const CsrNeighborhood<double, 3>& view, st
                     Workspace& workspace, Labels& labels) {
     gather_neighbors(work, view, i, workspace.caps, labels);
     const DirectionBlocks* blocks = &work.table;
-    if (work.scheme->per_particle) {
+    if (work.scheme.per_particle) {
         workspace.own_directions.resize(work.samples);
         const auto key = work.ids.empty() ? i : static_cast<std::uint64_t>(work.ids[i]);
-        work.scheme->fill(work.dimension, work.seed, key, workspace.own_directions);
+        work.scheme.fill(work.dimension, work.seed, key, workspace.own_directions);
         plain_blocks(workspace.own_directions, workspace.own_blocks);
         blocks = &workspace.own_blocks;
     }

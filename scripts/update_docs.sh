@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Prints the tables of README and docs/ again from the samples, between their "begin" and "end"
-# comments. Takes some minutes; speed wants an otherwise idle machine.
-# Usage: scripts/update_docs.sh [accuracy|speed]   (default: both)
+# comments, and draws the plots. Takes some minutes; speed wants an otherwise idle machine, sampling
+# Debian's python3-matplotlib.
+# Usage: scripts/update_docs.sh [accuracy|speed|sampling]   (default: all)
 set -euo pipefail
 cd "$(dirname "$0")/.."
 bin=build/release/bin
@@ -18,14 +19,26 @@ replace() {
     cp "$work/new" "$1"
 }
 
-"$bin/meniscus" label data/samples/*.vtkhdf -o "$work/labelled" --quiet
-if [ "${1:-accuracy}" = accuracy ]; then
+what=${1:-all}
+wanted() {
+    [ "$what" = all ] || [ "$what" = "$1" ]
+}
+
+if wanted accuracy || wanted speed; then
+    "$bin/meniscus" label data/samples/*.vtkhdf -o "$work/labelled" --quiet
+fi
+if wanted accuracy; then
     for table in training unseen published sweep own-line; do
         "$bin/accuracy_tables" "$table" "$work"/labelled/*.vtkhdf | replace docs/accuracy.md "$table"
     done
     "$bin/accuracy_tables" readme "$work"/labelled/*.vtkhdf | replace README.md readme
 fi
-if [ "${1:-speed}" = speed ]; then
+if wanted speed; then
     "$bin/speed" data/samples/dam_dfsph_14.vtkhdf 2>/dev/null | replace docs/speed.md speed
     "$bin/training_time" "$work"/labelled/*.vtkhdf | replace docs/speed.md training-time
+fi
+if wanted sampling; then
+    "$bin/sampling_schemes" "$work/schemes.json" data/samples/*.vtkhdf |
+        replace docs/sampling_schemes.md sampling-schemes
+    scripts/plot_sampling_schemes.py "$work/schemes.json" docs/plots
 fi

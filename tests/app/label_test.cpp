@@ -111,7 +111,7 @@ TEST_F(Label, OverwritesNothingThatItDidNotWrite) {
 }
 
 TEST_F(Label, SameBytesWhateverTheThreads) {
-    for (const char* scheme : {"halton", "random"}) {
+    for (const char* scheme : {"halton", "random", "table", "blue-noise"}) {
         std::string first;
         for (const char* threads : {"1", "1", "2", "8"}) {
             std::filesystem::remove_all(folder / "labelled");

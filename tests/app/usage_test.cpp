@@ -40,7 +40,8 @@ TEST_F(Usage, OptionsOutOfRangeAreNamed) {
     fail(2, label + Words{"--seed", "-1"}, {"--seed", "-1"});
     fail(2, label + Words{"--threads", "-1"}, {"--threads", "-1"});
     fail(2, label + Words{"--threads", "100000"}, {"--threads", "100000"});
-    fail(2, label + Words{"--scheme", "dice"}, {"--scheme", "dice", "halton"});
+    fail(2, label + Words{"--scheme", "dice"}, {"--scheme", "dice", "halton", "blue-noise"});
+    fail(2, label + Words{"--scheme", "halton-2-4"}, {"--scheme", "halton-2-4", "primes"});
     fail(2, label + Words{"--method", "guess"}, {"--method", "guess", "monte-carlo"});
     fail(2, label + Words{"--dimension", "4"}, {"--dimension", "4"});
     for (const char* ratio : {"0", "1", "-1", "nan", "inf"})

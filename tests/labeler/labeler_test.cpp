@@ -34,7 +34,7 @@ bool on_the_hull(const std::array<double, 3>& position, int count, int dimension
 
 TEST(Labeler, SurfaceOfALatticeIsItsOuterLayer) {
     for (const int dimension : {2, 3})
-        for (const char* scheme : {"halton", "random"}) {
+        for (const char* scheme : {"halton", "random", "table", "blue-noise", "halton-3-5"}) {
             const auto snapshot = lattice(7, dimension);
             LabelOptions options;
             options.samples = 2000;

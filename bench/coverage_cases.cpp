@@ -1,0 +1,131 @@
+#include "coverage_cases.hpp"
+
+#include <meniscus/data/neighbor_search.hpp>
+#include <meniscus/data/snapshot_files.hpp>
+#include <meniscus/labeler/coverage.hpp>
+#include <meniscus/labeler/labeler.hpp>
+#include <meniscus/runtime/features.hpp>
+#include <meniscus/runtime/random_directions.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+
+namespace meniscus {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+double cap_threshold(double square) {
+    return (square + 1 - case_radius_ratio * case_radius_ratio) / 2;
+}
+
+/// By the union of the arcs that the neighbors cover.
+double uncovered_fraction_of_circle(const std::vector<Direction>& displacements) {
+    std::vector<std::pair<double, double>> arcs; // begin and end in turns, begin in [0, 1)
+    for (const Direction& x : displacements) {
+        const double square = x[0] * x[0] + x[1] * x[1];
+        const double cosine = cap_threshold(square) / std::sqrt(square);
+        if (!(cosine < 1))
+            continue;
+        const double half = std::acos(cosine) / (2 * pi);
+        double begin = std::atan2(x[1], x[0]) / (2 * pi) - half;
+        begin -= std::floor(begin);
+        arcs.emplace_back(begin, begin + 2 * half);
+        arcs.emplace_back(begin - 1, begin + 2 * half - 1); // what reaches past a whole turn
+    }
+    std::sort(arcs.begin(), arcs.end());
+    double uncovered = 0;
+    double covered_to = 0;
+    for (const auto& [begin, end] : arcs) {
+        uncovered += std::max(0.0, std::min(begin, 1.0) - covered_to);
+        covered_to = std::max(covered_to, end);
+    }
+    return uncovered + std::max(0.0, 1 - covered_to);
+}
+
+/// By so many directions that what they miss is far below the errors of the study.
+double uncovered_fraction_of_sphere(const std::vector<Direction>& displacements) {
+    constexpr std::size_t samples = 2'000'000;
+    static const DirectionBlocks blocks = [] {
+        std::vector<Direction> directions(samples);
+        fill_halton(3, 0, 0, directions);
+        return compact_blocks(std::move(directions));
+    }();
+    Caps caps;
+    caps.displacements = displacements;
+    caps.radius_ratio = case_radius_ratio;
+    return static_cast<double>(count_uncovered(blocks, caps)) / samples;
+}
+
+double exact_uncovered_fraction(const std::vector<Direction>& displacements, int dimension) {
+    return dimension == 2 ? uncovered_fraction_of_circle(displacements)
+                          : uncovered_fraction_of_sphere(displacements);
+}
+
+/// Particle numbers in random order.
+std::vector<std::size_t> shuffled(std::size_t count) {
+    std::vector<std::size_t> order(count);
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(),
+              [](std::size_t a, std::size_t b) { return mix_bits(a) < mix_bits(b); });
+    return order;
+}
+
+std::vector<CoverageCase> cases_of(const Positions& positions, double support_radius, int dimension,
+                                   std::size_t most) {
+    const auto lists = find_neighbors(positions, support_radius);
+    const CsrNeighborhood<double, 3> view{positions[0].data(), nullptr, lists.offsets.data(),
+                                          lists.neighbors.data()};
+    const auto range = neighbor_range<double>(support_radius, case_radius_ratio);
+    std::vector<CoverageCase> cases;
+    for (const std::size_t i : shuffled(positions.size())) {
+        if (cases.size() == most)
+            break;
+        CoverageCase found;
+        view(i, [&](std::size_t, const Direction& x, double) {
+            if (range.contains(squared_length<double, 3>(x)))
+                found.displacements.push_back(
+                    {x[0] / support_radius, x[1] / support_radius, x[2] / support_radius});
+        });
+        found.uncovered_fraction = exact_uncovered_fraction(found.displacements, dimension);
+        if (found.uncovered_fraction > zero_uncovered_fraction)
+            cases.push_back(std::move(found));
+    }
+    return cases;
+}
+
+} // namespace
+
+std::vector<CoverageCase> cases_of_files(const std::vector<std::filesystem::path>& files,
+                                         std::size_t per_file) {
+    std::vector<CoverageCase> cases;
+    for (const auto& file : files) {
+        const Snapshot snapshot = read_snapshot(file);
+        if (snapshot.dimension != 3 || !snapshot.support_radius || snapshot.size() == 0)
+            throw std::runtime_error(file.string() + ": expected particles in 3D and a stored "
+                                                     "support radius");
+        for (auto& found : cases_of(snapshot.positions, *snapshot.support_radius, 3, per_file))
+            cases.push_back(std::move(found));
+    }
+    return cases;
+}
+
+std::vector<CoverageCase> cases_of_a_disc() {
+    constexpr int radius = 100;      // in particle spacings
+    constexpr double scatter = 0.25; // the same, along each axis
+    Positions positions;
+    std::uint64_t drawn = 0;
+    for (int x = -radius; x <= radius; ++x)
+        for (int y = -radius; y <= radius; ++y)
+            if (x * x + y * y < radius * radius) {
+                const double move_x = scatter * (2 * random_fraction(mix_bits(drawn++)) - 1);
+                const double move_y = scatter * (2 * random_fraction(mix_bits(drawn++)) - 1);
+                positions.push_back({x + move_x, y + move_y, 0});
+            }
+    return cases_of(positions, 2, 2, positions.size());
+}
+
+} // namespace meniscus
