@@ -1,0 +1,66 @@
+// Angles from sums, products, quotients and square roots alone, which every machine rounds alike.
+// The C library's arc tangent differs in its last bit between machines; labels must not.
+#pragma once
+
+#include "instruction_set.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace meniscus {
+inline namespace MENISCUS_INSTRUCTION_SET {
+
+inline constexpr double pi = 3.14159265358979323846;
+
+/// Arc tangent of z in [0, 1], within 2e-16: taken from the nearest quarter, where what is left is
+/// at most 1/8 and nine terms of the series do.
+inline double arctangent_to_one(double z) {
+    constexpr double of_quarters[] = {0, 0.24497866312686415417, 0.46364760900080611621,
+                                      0.64350110879328438680, 0.78539816339744830962};
+    const int quarter = static_cast<int>(z * 4 + 0.5);
+    const double nearest = quarter * 0.25;
+    const double rest = (z - nearest) / (1 + z * nearest);
+    const double square = rest * rest;
+    double series = 0;
+    for (int order = 17; order >= 1; order -= 2)
+        series = 1.0 / order - square * series;
+    return of_quarters[quarter] + rest * series;
+}
+
+/// Angle of the point (x, y) from the x axis, in [-pi, pi]; 0 at the origin.
+inline double arctangent(double y, double x) {
+    const double across = std::fabs(y);
+    const double along = std::fabs(x);
+    double angle = 0;
+    if (across > along)
+        angle = pi / 2 - arctangent_to_one(along / across);
+    else if (along > 0)
+        angle = arctangent_to_one(across / along);
+    if (x < 0)
+        angle = pi - angle;
+    return y < 0 ? -angle : angle;
+}
+
+/// A number that grows with the angle of (x, y), from -2 to 2 as the angle goes from -pi to pi, and
+/// is 2 apart for opposite points. For putting points on a circle in order without an arc tangent,
+/// and without a branch. Any number in that range where both are 0.
+inline double turn_order(double x, double y) {
+    return std::copysign(1 - x / (std::fabs(x) + std::fabs(y) + 1e-300), y);
+}
+
+/// The unit vector at a turn_order, which may be up to a turn beyond 2.
+inline std::array<double, 3> unit_vector(double turn) {
+    turn -= turn < 2 ? 0 : 4;
+    const double x = 1 - std::fabs(turn);
+    const double y = std::copysign(1 - std::fabs(x), turn);
+    const double scale = 1 / std::sqrt(x * x + y * y);
+    return {x * scale, y * scale, 0};
+}
+
+/// A difference of two turn_orders as a part of a turn, in [0, 4).
+inline double forward_turn(double difference) {
+    return difference + 2 - std::copysign(2.0, difference);
+}
+
+} // namespace MENISCUS_INSTRUCTION_SET
+} // namespace meniscus

@@ -1,0 +1,112 @@
+// Several doubles at a time, as many as the instruction set has that the including program is built
+// for, by the vector types of GCC and Clang. Arithmetic is theirs; a comparison gives a mask, and
+// mask ? a : b picks lane by lane. What they lack is here.
+#pragma once
+
+#include "instruction_set.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+namespace meniscus {
+inline namespace MENISCUS_INSTRUCTION_SET {
+
+#if defined(__AVX512F__)
+inline constexpr std::size_t wide_count = 8;
+#elif defined(__AVX__)
+inline constexpr std::size_t wide_count = 4;
+#else
+inline constexpr std::size_t wide_count = 2;
+#endif
+
+using Wide = double __attribute__((vector_size(wide_count * sizeof(double))));
+using WideMask = std::int64_t __attribute__((vector_size(wide_count * sizeof(double))));
+
+/// A count rounded up to whole vectors.
+constexpr std::size_t padded_to_wide(std::size_t count) {
+    return (count + wide_count - 1) / wide_count * wide_count;
+}
+
+MENISCUS_INLINE Wide load_wide(const double* from) {
+    Wide values;
+    std::memcpy(&values, from, sizeof values);
+    return values;
+}
+
+MENISCUS_INLINE void store_wide(Wide values, double* to) {
+    std::memcpy(to, &values, sizeof values);
+}
+
+MENISCUS_INLINE Wide all_lanes(double value) {
+    return Wide{} + value;
+}
+
+inline double larger(double a, double b) {
+    return a > b ? a : b;
+}
+
+inline double smaller(double a, double b) {
+    return a < b ? a : b;
+}
+
+MENISCUS_INLINE Wide larger(Wide a, Wide b) {
+    return a > b ? a : b;
+}
+
+MENISCUS_INLINE Wide smaller(Wide a, Wide b) {
+    return a < b ? a : b;
+}
+
+/// The size of one with the sign of another.
+MENISCUS_INLINE Wide with_sign(Wide size, Wide sign) {
+    return (Wide)(((WideMask)size & INT64_MAX) | ((WideMask)sign & INT64_MIN));
+}
+
+MENISCUS_INLINE Wide absolute(Wide a) {
+    return (Wide)((WideMask)a & INT64_MAX);
+}
+
+MENISCUS_INLINE Wide square_root(Wide a) {
+#if defined(__AVX512F__)
+    return (Wide)_mm512_sqrt_pd((__m512d)a);
+#elif defined(__AVX__)
+    return (Wide)_mm256_sqrt_pd((__m256d)a);
+#elif defined(__SSE2__)
+    return (Wide)_mm_sqrt_pd((__m128d)a);
+#else
+    for (std::size_t lane = 0; lane < wide_count; ++lane)
+        a[lane] = std::sqrt(a[lane]);
+    return a;
+#endif
+}
+
+/// The largest of all lanes and `least`.
+MENISCUS_INLINE double largest_lane(Wide a, double least) {
+    for (std::size_t lane = 0; lane < wide_count; ++lane)
+        least = larger(least, a[lane]);
+    return least;
+}
+
+/// The smallest of all lanes and `most`.
+MENISCUS_INLINE double smallest_lane(Wide a, double most) {
+    for (std::size_t lane = 0; lane < wide_count; ++lane)
+        most = smaller(most, a[lane]);
+    return most;
+}
+
+/// True where a mask is set in any lane.
+MENISCUS_INLINE bool any_lane(WideMask mask) {
+    std::int64_t together = 0;
+    for (std::size_t lane = 0; lane < wide_count; ++lane)
+        together |= mask[lane];
+    return together != 0;
+}
+
+} // namespace MENISCUS_INSTRUCTION_SET
+} // namespace meniscus
