@@ -41,10 +41,11 @@ struct Snapshot {
     Positions positions;
     Precision position_precision = Precision::float64; ///< type that positions are written in
     std::vector<PointArray> point_data;                ///< names are unique
-    std::optional<double> support_radius;              ///< kernel radius h in m
-    std::optional<double> particle_spacing;            ///< initial distance of particles in m
-    std::optional<double> time;                        ///< simulated time in s
-    std::string scene;                                 ///< empty when none is stored
+    Positions boundary; ///< wall particles of the state; empty where none are known
+    std::optional<double> support_radius;   ///< kernel radius h in m
+    std::optional<double> particle_spacing; ///< initial distance of particles in m
+    std::optional<double> time;             ///< simulated time in s
+    std::string scene;                      ///< empty when none is stored
     /// What made the data, as text by name (group `/meniscus` of the file). Never a date, a host,
     /// a path or a thread count: the same input and options give the same bytes.
     std::map<std::string, std::string> provenance;

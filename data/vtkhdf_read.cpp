@@ -396,6 +396,19 @@ void read_field_data(const Source& source, Snapshot& snapshot) {
     snapshot.dimension = static_cast<int>(dimension);
 }
 
+Positions read_boundary(const Source& source) {
+    const Dataset dataset = open_dataset(source, "/meniscus/boundary");
+    if (dataset.dimensions.size() != 2 || dataset.dimensions[1] != 3) {
+        fail(source, dataset.path, "particles x 3 coordinates", shown(dataset.dimensions));
+    }
+    if (!std::holds_alternative<std::vector<double>>(empty_values(source, dataset))) {
+        fail(source, dataset.path, "double", "another type of number");
+    }
+    Positions boundary(dataset.dimensions[0]);
+    read_into(source, dataset, number_type<double>(), boundary.data());
+    return boundary;
+}
+
 void read_for_meniscus(const Source& source, Snapshot& snapshot) {
     if (!exists(source, "/meniscus")) {
         return; // written by another program
@@ -407,6 +420,9 @@ void read_for_meniscus(const Source& source, Snapshot& snapshot) {
     }
     if (exists(source, "/meniscus/scene")) {
         snapshot.scene = text_dataset(source, "/meniscus/scene");
+    }
+    if (exists(source, "/meniscus/boundary")) {
+        snapshot.boundary = read_boundary(source);
     }
     for (const std::string& name : names_in(source, "/meniscus/provenance")) {
         snapshot.provenance[name] = text_dataset(source, "/meniscus/provenance/" + name);

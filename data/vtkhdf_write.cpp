@@ -189,6 +189,10 @@ void write_for_meniscus(hid_t file, const Snapshot& snapshot) {
     if (!snapshot.scene.empty()) {
         write_text(group, "scene", snapshot.scene);
     }
+    if (!snapshot.boundary.empty()) {
+        write_dataset(group, "boundary", {snapshot.boundary.size(), 3}, number_type<double>(),
+                      number_type<double>(), snapshot.boundary.data());
+    }
     const Handle provenance = make_group(group, "provenance");
     const auto entries =
         by_stored_name(snapshot.provenance, [](const auto& entry) { return entry.first; });

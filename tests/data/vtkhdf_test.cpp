@@ -68,6 +68,7 @@ void expect_same(const Snapshot& found, const Snapshot& wanted) {
     EXPECT_EQ(found.dimension, wanted.dimension);
     EXPECT_EQ(found.positions, wanted.positions);
     EXPECT_EQ(found.position_precision, wanted.position_precision);
+    EXPECT_EQ(found.boundary, wanted.boundary);
     EXPECT_EQ(found.support_radius, wanted.support_radius);
     EXPECT_EQ(found.particle_spacing, wanted.particle_spacing);
     EXPECT_EQ(found.time, wanted.time);
@@ -165,6 +166,38 @@ TEST_F(Vtkhdf, KeepsSinglePrecision) {
         }
     }
     expect_same(written_and_read(snapshot), snapshot);
+}
+
+TEST_F(Vtkhdf, KeepsTheBoundary) {
+    for (const std::size_t particles : {1, 100'000}) { // stored as they are, and in several chunks
+        Snapshot snapshot = sample(3);
+        snapshot.boundary = sample(particles).positions;
+        expect_same(written_and_read(snapshot), snapshot);
+    }
+}
+
+TEST_F(Vtkhdf, ABoundaryOfTheWrongShapeOrTypeIsNamed) {
+    write_vtkhdf(sample(3), file);
+    const char* path = "/meniscus/boundary";
+    replace<double>(path, H5T_NATIVE_DOUBLE, {3}, {1, 2, 3});
+    expect_mentions(reading_error(), {path, "particles x 3", "found 3"});
+    replace<double>(path, H5T_NATIVE_DOUBLE, {3, 2}, {1, 2, 3, 4, 5, 6});
+    expect_mentions(reading_error(), {path, "particles x 3", "found 3 x 2"});
+    replace<float>(path, H5T_NATIVE_FLOAT, {1, 3}, {1, 2, 3});
+    expect_mentions(reading_error(), {path, "expected double"});
+    replace<char>(path, H5T_C_S1, {1, 3}, {'a', 'b', 'c'});
+    expect_mentions(reading_error(), {path, "another type"});
+    remove(path);
+    edit([&](hid_t opened) {
+        const hsize_t dimensions[] = {hsize_t{1} << 59, 3};
+        const hid_t space = H5Screate_simple(2, dimensions, nullptr);
+        const hid_t dataset = H5Dcreate2(opened, path, H5T_NATIVE_DOUBLE, space, H5P_DEFAULT,
+                                         H5P_DEFAULT, H5P_DEFAULT);
+        ASSERT_GE(dataset, 0);
+        H5Dclose(dataset);
+        H5Sclose(space);
+    });
+    expect_mentions(reading_error(), {path, "bytes"});
 }
 
 TEST_F(Vtkhdf, KeepsNonFinitePositions) {
