@@ -55,8 +55,7 @@ void run_demo(const DemoCommand& command) {
     labelling.files = {sample_files(), command.folder / "labelled"};
     labelling.quiet = command.quiet;
     if (!command.quiet)
-        fmt::print("Labelling {} snapshots, {} directions a particle:\n",
-                   labelling.files.inputs.size(), labelling.label.samples);
+        fmt::print("Labelling {} snapshots:\n", labelling.files.inputs.size());
     const auto labelled = run_label(labelling);
 
     const Model model = train_on(labelled, command.label_threshold);

@@ -9,29 +9,36 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <functional>
+#include <map>
 #include <memory>
 #include <numeric>
 
 namespace meniscus {
 namespace {
 
-/// Everything that an output must say of itself to be kept on a rerun.
-std::map<std::string, std::string> expected_provenance(const Snapshot& input,
-                                                       const std::string& input_hash,
-                                                       const LabelOptions& options) {
-    auto provenance = input.provenance;
-    for (const auto& [name, value] : label_provenance(*input.support_radius, options))
-        provenance[name] = value;
-    provenance["input_hash"] = input_hash;
-    return provenance;
+/// Boundary particles as the options want them, and in the provenance where they come from.
+void set_boundary(Snapshot& snapshot, const LabelCommand& command) {
+    snapshot.provenance.erase("boundary_hash");
+    if (command.no_boundary)
+        snapshot.boundary.clear();
+    if (command.boundary.empty())
+        return;
+    const Snapshot boundary = read_snapshot(command.boundary);
+    // A file with particles of its own and a boundary beside them: the boundary is meant.
+    snapshot.boundary = boundary.boundary.empty() ? boundary.positions : boundary.boundary;
+    if (snapshot.boundary.empty())
+        throw InputError(fmt::format("{}: --boundary expects a file with particles, found none",
+                                     command.boundary.string()));
+    snapshot.provenance["boundary_hash"] = file_hash(command.boundary);
 }
 
 /// True where `output` holds the labels that would be made again.
-bool is_up_to_date(const Path& output, const Snapshot& input,
-                   const std::map<std::string, std::string>& expected) {
+bool is_up_to_date(const Path& output, const Snapshot& input) {
     const auto existing = earlier_output(output, "uncovered_fraction");
     return existing && existing->scene == input.scene && existing->dimension == input.dimension &&
-           existing->particle_spacing == input.particle_spacing && existing->provenance == expected;
+           existing->particle_spacing == input.particle_spacing &&
+           existing->provenance == input.provenance;
 }
 
 void report(const Path& output, const Snapshot& snapshot, const Labels& labels, bool quiet) {
@@ -46,8 +53,11 @@ void report(const Path& output, const Snapshot& snapshot, const Labels& labels, 
         return;
     const auto surface = std::accumulate(labels.surface.begin(), labels.surface.end(), 0UL);
     const auto valid = std::accumulate(labels.valid.begin(), labels.valid.end(), 0UL);
-    fmt::print("{}: {} particles in {}D, {} surface, mean neighbor count {:.1f}{}\n",
+    fmt::print("{}: {} particles in {}D, {} surface, mean neighbor count {:.1f}{}{}\n",
                output.string(), snapshot.size(), snapshot.dimension, surface, mean,
+               snapshot.boundary.empty()
+                   ? ""
+                   : fmt::format(", {} boundary particles cover", snapshot.boundary.size()),
                valid == snapshot.size()
                    ? ""
                    : fmt::format(", {} left out as not finite", snapshot.size() - valid));
@@ -55,8 +65,10 @@ void report(const Path& output, const Snapshot& snapshot, const Labels& labels, 
 
 void label_file(const Path& input, const Path& output, const LabelCommand& command) {
     Snapshot snapshot = read_input(input, command.input);
-    const auto expected = expected_provenance(snapshot, file_hash(input), command.label);
-    if (is_up_to_date(output, snapshot, expected)) {
+    set_boundary(snapshot, command);
+    set_label_provenance(snapshot, *snapshot.support_radius, command.label);
+    snapshot.provenance["input_hash"] = file_hash(input);
+    if (is_up_to_date(output, snapshot)) {
         if (!command.quiet)
             fmt::print("{}: up to date\n", output.string());
         return;
@@ -67,7 +79,6 @@ void label_file(const Path& input, const Path& output, const LabelCommand& comma
         options.progress = [&](std::size_t done) { bar.show(done); };
         return label_particles(snapshot, *snapshot.support_radius, options);
     }();
-    snapshot.provenance = expected;
     add_labels(snapshot, labels, *snapshot.support_radius, command.label);
     {
         const WriteGuard guard;
@@ -110,9 +121,40 @@ std::vector<Path> run_label(const LabelCommand& command) {
     return outputs;
 }
 
+/// How lambda is found, and with Monte Carlo by which directions. Directions asked for without a
+/// method ask for Monte Carlo.
+/// What is returned settles that once the command line is read.
+std::function<void()> add_method_options(CLI::App& verb, LabelOptions& options) {
+    const std::map<std::string, LabelMethod> methods = {{"exact", LabelMethod::exact},
+                                                        {"monte-carlo", LabelMethod::monte_carlo}};
+    auto* method = verb.add_option("--method", options.method,
+                                   "How lambda is found: exact or monte-carlo (default: exact, or "
+                                   "monte-carlo where --samples, --scheme or --seed is given)")
+                       ->transform(CLI::CheckedTransformer(methods).description(""));
+    std::vector<CLI::Option*> of_directions = {
+        verb.add_option("--samples", options.samples, "Monte Carlo: directions tested a particle")
+            ->check(CLI::Range(1, 1'000'000'000))
+            ->capture_default_str(),
+        verb.add_option("--scheme", options.scheme,
+                        "Monte Carlo: sampling scheme of the directions: " +
+                            sampling_scheme_names())
+            ->check(check_scheme)
+            ->capture_default_str(),
+        verb.add_option("--seed", options.seed, "Monte Carlo: seed of the scheme")
+            ->check(whole_numbers())
+            ->capture_default_str()};
+    return [&options, method, of_directions] {
+        for (const auto* option : of_directions) {
+            if (option->count() > 0 && method->count() == 0)
+                options.method = LabelMethod::monte_carlo;
+            if (option->count() > 0 && options.method == LabelMethod::exact)
+                throw InputError(option->get_name() + " belongs to --method monte-carlo");
+        }
+    };
+}
+
 void add_label(CLI::App& command) {
     auto options = std::make_shared<LabelCommand>();
-    auto method = std::make_shared<std::string>("monte-carlo");
     auto* verb = command.add_subcommand("label", "Decide which particles of snapshots are surface");
     verb->add_option("INPUT", options->files.inputs,
                      "Snapshots: the project's own .vtkhdf files "
@@ -122,27 +164,25 @@ void add_label(CLI::App& command) {
                      "Folder for the labelled snapshots, DIR/<stem of INPUT>.vtkhdf")
         ->required();
     add_input_options(*verb, options->input);
-    verb->add_option("--method", *method, "How lambda is found")
-        ->check(CLI::IsMember({"monte-carlo"}))
-        ->capture_default_str();
-    verb->add_option("--samples", options->label.samples, "Directions tested a particle")
-        ->check(CLI::Range(1, 1'000'000'000))
-        ->capture_default_str();
-    verb->add_option("--scheme", options->label.scheme,
-                     "Sampling scheme of the directions: " + sampling_scheme_names())
-        ->check(check_scheme)
-        ->capture_default_str();
-    verb->add_option("--seed", options->label.seed, "Seed of the scheme")
-        ->check(whole_numbers())
-        ->capture_default_str();
+    const auto settle_method = add_method_options(*verb, options->label);
     verb->add_option("--radius-ratio", options->label.radius_ratio,
                      "Radius of the covering spheres over h")
         ->capture_default_str();
+    auto* boundary = verb->add_option(
+        "--boundary", options->boundary,
+        "File with the boundary particles, which cover but are not labelled, for all inputs "
+        "(default: those that an input holds itself)");
+    verb->add_flag("--no-boundary", options->no_boundary,
+                   "Boundary particles that an input holds do not cover")
+        ->excludes(boundary);
     verb->add_flag("--skip-invalid", options->label.skip_invalid,
                    "Leave particles whose position is not finite out, with valid = 0");
     add_threads_option(*verb, options->label.threads);
     add_quiet_option(*verb, options->quiet);
-    verb->callback([options] { run_label(*options); });
+    verb->callback([options, settle_method] {
+        settle_method();
+        run_label(*options);
+    });
 }
 
 } // namespace meniscus

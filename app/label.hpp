@@ -34,6 +34,8 @@ struct LabelCommand {
     InputsAndFolder files;
     InputOptions input;
     LabelOptions label;
+    Path boundary;            ///< file of boundary particles; empty: those of the input itself
+    bool no_boundary = false; ///< boundary particles do not cover
     bool quiet = false;
 };
 

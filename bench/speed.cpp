@@ -51,6 +51,7 @@ struct Host {
 
 void label_fast(benchmark::State& state, const Snapshot& snapshot, int threads) {
     LabelOptions options;
+    options.method = LabelMethod::monte_carlo;
     options.samples = label_samples;
     options.threads = threads;
     for ([[maybe_unused]] auto _ : state)

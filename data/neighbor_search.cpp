@@ -48,9 +48,10 @@ struct SearchRanges {
 Cell cell_of(const Grid& grid, const std::array<double, 3>& position) {
     Cell cell;
     for (int axis = 0; axis < 3; ++axis) {
+        // Clamped before it becomes an integer: what is searched around may lie far outside.
         const double scaled = (position[axis] - grid.origin[axis]) * grid.inverse_cell_size;
-        cell[axis] =
-            std::clamp(static_cast<std::int64_t>(scaled), std::int64_t{0}, grid.cells[axis] - 1);
+        const auto last = static_cast<double>(grid.cells[axis] - 1);
+        cell[axis] = static_cast<std::int64_t>(std::clamp(scaled, 0.0, last));
     }
     return cell;
 }
@@ -202,22 +203,53 @@ SearchRanges ranges_around(const Grid& grid, const Cell& cell) {
     return search;
 }
 
-/// Calls found(i) with the particle at each sorted place closer than the radius to place s.
+/// Calls found(s) with each sorted place closer than the radius to `center`.
 template <class Found>
-void visit_neighbors(const Grid& grid, std::uint32_t s, double radius_squared, Found&& found) {
-    const auto center = grid.positions[s];
+void visit_places(const Grid& grid, const std::array<double, 3>& center, double radius_squared,
+                  Found&& found) {
     const SearchRanges search = ranges_around(grid, cell_of(grid, center));
     for (int r = 0; r < search.count; ++r)
-        for (std::uint32_t other = search.ranges[r].begin; other < search.ranges[r].end; ++other) {
+        for (std::uint32_t place = search.ranges[r].begin; place < search.ranges[r].end; ++place) {
             double distance_squared = 0;
             for (int axis = 0; axis < 3; ++axis) {
-                const double difference = grid.positions[other][axis] - center[axis];
+                const double difference = grid.positions[place][axis] - center[axis];
                 distance_squared += difference * difference;
             }
-            if (distance_squared < radius_squared && other != s &&
-                (grid.phase.empty() || grid.phase[other] == grid.phase[s]))
-                found(grid.order[other]);
+            if (distance_squared < radius_squared)
+                found(place);
         }
+}
+
+/// The lists of `count` particles, where walk(k, found) calls found(neighbor) for each neighbor of
+/// the k-th particle to be looked at, and particle(k) is its number. Twice the same walk, first to
+/// count and then to write: the lists are by far the largest thing in memory, and this way they are
+/// there once.
+template <class Particle, class Walk>
+NeighborLists fill_lists(std::size_t count, std::size_t walks, int threads, Particle&& particle,
+                         Walk&& walk) {
+    NeighborLists lists;
+    lists.offsets.assign(count + 1, 0);
+    const auto end = static_cast<std::int64_t>(walks);
+#pragma omp parallel for num_threads(threads) schedule(dynamic, 1024)
+    for (std::int64_t k = 0; k < end; ++k) {
+        std::size_t found = 0;
+        walk(static_cast<std::size_t>(k), [&](std::uint32_t) { ++found; });
+        lists.offsets[particle(static_cast<std::size_t>(k)) + 1] = found;
+    }
+    for (std::size_t i = 0; i < count; ++i)
+        lists.offsets[i + 1] += lists.offsets[i];
+    lists.neighbors.resize(lists.offsets.back());
+#pragma omp parallel for num_threads(threads) schedule(dynamic, 1024)
+    for (std::int64_t k = 0; k < end; ++k) {
+        std::size_t place = lists.offsets[particle(static_cast<std::size_t>(k))];
+        walk(static_cast<std::size_t>(k),
+             [&](std::uint32_t neighbor) { lists.neighbors[place++] = neighbor; });
+    }
+    return lists;
+}
+
+int thread_count(int threads) {
+    return threads > 0 ? threads : omp_get_max_threads();
 }
 
 } // namespace
@@ -225,37 +257,39 @@ void visit_neighbors(const Grid& grid, std::uint32_t s, double radius_squared, F
 NeighborLists find_neighbors(const Positions& positions, double radius,
                              const NeighborFilter& filter, int threads) {
     check_input(positions, radius, filter);
-    NeighborLists lists;
-    lists.offsets.assign(positions.size() + 1, 0);
     Grid grid;
     lay_out(grid, positions, radius, filter);
-    if (grid.bucket_start.empty())
-        return lists;
-    if (threads <= 0)
-        threads = omp_get_max_threads();
-    sort_particles(grid, positions, filter, threads);
+    if (!grid.bucket_start.empty())
+        sort_particles(grid, positions, filter, thread_count(threads));
+    // In sorted order, where the neighbors of one particle are those of the next.
+    return fill_lists(
+        positions.size(), grid.order.size(), thread_count(threads),
+        [&](std::size_t s) { return grid.order[s]; },
+        [&](std::size_t s, auto&& found) {
+            visit_places(grid, grid.positions[s], radius * radius, [&](std::uint32_t other) {
+                if (other != s && (grid.phase.empty() || grid.phase[other] == grid.phase[s]))
+                    found(grid.order[other]);
+            });
+        });
+}
 
-    // Twice the same walk, first to count and then to write: the lists are by far the largest
-    // thing in memory, and this way they are there once.
-    const auto count = static_cast<std::int64_t>(grid.order.size());
-    const double radius_squared = radius * radius;
-#pragma omp parallel for num_threads(threads) schedule(dynamic, 1024)
-    for (std::int64_t s = 0; s < count; ++s) {
-        std::size_t found = 0;
-        visit_neighbors(grid, static_cast<std::uint32_t>(s), radius_squared,
-                        [&](std::uint32_t) { ++found; });
-        lists.offsets[grid.order[s] + 1] = found;
-    }
-    for (std::size_t i = 0; i < positions.size(); ++i)
-        lists.offsets[i + 1] += lists.offsets[i];
-    lists.neighbors.resize(lists.offsets.back());
-#pragma omp parallel for num_threads(threads) schedule(dynamic, 1024)
-    for (std::int64_t s = 0; s < count; ++s) {
-        std::size_t place = lists.offsets[grid.order[s]];
-        visit_neighbors(grid, static_cast<std::uint32_t>(s), radius_squared,
-                        [&](std::uint32_t neighbor) { lists.neighbors[place++] = neighbor; });
-    }
-    return lists;
+NeighborLists find_neighbors_among(const Positions& others, const Positions& positions,
+                                   double radius, const std::vector<std::uint8_t>& valid,
+                                   int threads) {
+    check_input(others, radius, {});
+    check_input(positions, radius, {&valid});
+    Grid grid;
+    lay_out(grid, others, radius, {});
+    if (!grid.bucket_start.empty())
+        sort_particles(grid, others, {}, thread_count(threads));
+    return fill_lists(
+        positions.size(), grid.order.empty() ? 0 : positions.size(), thread_count(threads),
+        [](std::size_t i) { return i; },
+        [&](std::size_t i, auto&& found) {
+            if (valid[i] != 0)
+                visit_places(grid, positions[i], radius * radius,
+                             [&](std::uint32_t other) { found(grid.order[other]); });
+        });
 }
 
 } // namespace meniscus

@@ -35,4 +35,11 @@ struct NeighborFilter {
 NeighborLists find_neighbors(const Positions& positions, double radius,
                              const NeighborFilter& filter = {}, int threads = 0);
 
+/// The neighbors among `others` (boundary particles, say) of each particle of `positions`,
+/// likewise: entries of the lists are places in `others`. `valid` has one entry a particle; those
+/// with 0 have no neighbors. Throws as find_neighbors does, for either set.
+NeighborLists find_neighbors_among(const Positions& others, const Positions& positions,
+                                   double radius, const std::vector<std::uint8_t>& valid,
+                                   int threads = 0);
+
 } // namespace meniscus

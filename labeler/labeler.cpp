@@ -1,6 +1,7 @@
 #include "labeler.hpp"
 
 #include "coverage.hpp"
+#include "exact_labels.hpp"
 
 #include <meniscus/data/errors.hpp>
 #include <meniscus/data/neighbor_search.hpp>
@@ -37,18 +38,50 @@ struct Work {
     NeighborRange<double> range{};
     double radius_ratio = 0;
     std::vector<std::uint8_t> valid;
-    std::vector<double> masses;    ///< or empty
-    std::vector<std::int64_t> ids; ///< or empty
+    std::vector<double> masses;          ///< or empty
+    std::vector<std::int64_t> ids;       ///< or empty
+    const Positions* boundary = nullptr; ///< or none
     NeighborLists lists;
+    NeighborLists boundary_lists; ///< where there is a boundary
+    LabelMethod method = LabelMethod::exact;
     DirectionBlocks table; ///< empty where each particle draws its own directions
 };
 
 /// What each thread has of its own.
 struct Workspace {
     Caps caps;
+    ExactCoverage coverage;
     DirectionBlocks own_blocks;
     std::vector<Direction> own_directions;
 };
+
+/// Boundary particles must be finite, and in two dimensions lie in the fluid's plane.
+void check_boundary(const Snapshot& snapshot) {
+    for (std::size_t i = 0; i < snapshot.boundary.size(); ++i) {
+        const auto& position = snapshot.boundary[i];
+        for (const double coordinate : position)
+            if (!std::isfinite(coordinate))
+                throw InputError("boundary particle " + std::to_string(i) +
+                                 " has a position that is not finite");
+        if (snapshot.dimension == 2 && !snapshot.positions.empty() &&
+            std::isfinite(snapshot.positions[0][2]) && position[2] != snapshot.positions[0][2])
+            throw InputError(
+                "boundary particle " + std::to_string(i) + " has z = " + number_text(position[2]) +
+                ", but the fluid in 2D lies at z = " + number_text(snapshot.positions[0][2]));
+    }
+}
+
+void find_lists(Work& work, const Snapshot& snapshot, const LabelOptions& options) {
+    const auto phases = integer_values(snapshot, "phase", work.valid);
+    work.lists = find_neighbors(snapshot.positions, work.support_radius,
+                                {&work.valid, phases.empty() ? nullptr : &phases}, options.threads);
+    if (snapshot.boundary.empty())
+        return;
+    check_boundary(snapshot);
+    work.boundary = &snapshot.boundary;
+    work.boundary_lists = find_neighbors_among(snapshot.boundary, snapshot.positions,
+                                               work.support_radius, work.valid, options.threads);
+}
 
 Work prepare_work(const Snapshot& snapshot, double support_radius, const LabelOptions& options) {
     check_options(options);
@@ -57,15 +90,16 @@ Work prepare_work(const Snapshot& snapshot, double support_radius, const LabelOp
     work.samples = options.samples;
     work.seed = options.seed;
     work.dimension = snapshot.dimension;
-    work.scheme = sampling_scheme(options.scheme);
+    work.method = options.method;
     work.range = neighbor_range<double>(support_radius, options.radius_ratio);
     work.radius_ratio = options.radius_ratio;
     work.valid = checked_positions(snapshot, options.skip_invalid);
     work.masses = checked_masses(snapshot, work.valid);
+    find_lists(work, snapshot, options);
+    if (options.method == LabelMethod::exact)
+        return work;
     work.ids = integer_values(snapshot, "id", work.valid);
-    const auto phases = integer_values(snapshot, "phase", work.valid);
-    work.lists = find_neighbors(snapshot.positions, support_radius,
-                                {&work.valid, phases.empty() ? nullptr : &phases}, options.threads);
+    work.scheme = sampling_scheme(options.scheme);
     if (!work.scheme.per_particle) {
         std::vector<Direction> directions(work.samples);
         work.scheme.fill(work.dimension, work.seed, 0, directions);
@@ -74,29 +108,52 @@ Work prepare_work(const Snapshot& snapshot, double support_radius, const LabelOp
     return work;
 }
 
-/// Gathers the neighbors of particle i: the caps and the features.
+double squared(const Direction& x) {
+    return x[0] * x[0] + x[1] * x[1] + x[2] * x[2];
+}
+
+/// Gathers the neighbors of particle i: what covers it, and the features.
 void gather_neighbors(const Work& work, const CsrNeighborhood<double, 3>& view, std::size_t i,
                       Caps& caps, Labels& labels) {
     caps.radius_ratio = work.radius_ratio;
     caps.displacements.clear();
+    const double scale = 1 / work.support_radius;
+    const auto add_coverer = [&](const Direction& displacement) {
+        caps.displacements.push_back(
+            {displacement[0] * scale, displacement[1] * scale, displacement[2] * scale});
+    };
     FeatureSum<double, 3> sum;
     view(i, [&](std::size_t, const Direction& displacement, double mass) {
-        const double distance_squared = displacement[0] * displacement[0] +
-                                        displacement[1] * displacement[1] +
-                                        displacement[2] * displacement[2];
+        const double distance_squared = squared(displacement);
         sum.add(displacement, distance_squared, mass, work.range);
         if (work.range.contains(distance_squared))
-            caps.displacements.push_back({displacement[0] / work.support_radius,
-                                          displacement[1] / work.support_radius,
-                                          displacement[2] / work.support_radius});
+            add_coverer(displacement);
     });
     labels.mass_offset[i] = mass_offset(sum, work.support_radius);
     labels.neighbor_count[i] = static_cast<std::uint32_t>(sum.count);
+    if (work.boundary == nullptr)
+        return;
+    const double* center = view.positions + 3 * i;
+    for (auto n = work.boundary_lists.offsets[i]; n < work.boundary_lists.offsets[i + 1]; ++n) {
+        const Direction& wall = (*work.boundary)[work.boundary_lists.neighbors[n]];
+        const Direction displacement{wall[0] - center[0], wall[1] - center[1], wall[2] - center[2]};
+        if (work.range.contains(squared(displacement)))
+            add_coverer(displacement);
+    }
 }
 
-void label_particle(const Work& work, const CsrNeighborhood<double, 3>& view, std::size_t i,
-                    Workspace& workspace, Labels& labels) {
-    gather_neighbors(work, view, i, workspace.caps, labels);
+double exact_fraction(const Work& work, const Caps& caps, ExactCoverage& coverage) {
+    coverage.caps.clear();
+    for (const Direction& displacement : caps.displacements)
+        if (work.dimension == 2)
+            add_cap<2>(coverage.caps, displacement, 1, work.radius_ratio);
+        else
+            add_cap<3>(coverage.caps, displacement, 1, work.radius_ratio);
+    const double fraction = exact_uncovered_part(work.dimension, coverage).fraction;
+    return fraction > zero_uncovered_fraction ? fraction : 0;
+}
+
+double sampled_fraction(const Work& work, std::size_t i, Workspace& workspace) {
     const DirectionBlocks* blocks = &work.table;
     if (work.scheme.per_particle) {
         workspace.own_directions.resize(work.samples);
@@ -106,8 +163,15 @@ void label_particle(const Work& work, const CsrNeighborhood<double, 3>& view, st
         blocks = &workspace.own_blocks;
     }
     const std::size_t uncovered = count_uncovered(*blocks, workspace.caps);
-    labels.uncovered_fraction[i] =
-        static_cast<double>(uncovered) / static_cast<double>(work.samples);
+    return static_cast<double>(uncovered) / static_cast<double>(work.samples);
+}
+
+void label_particle(const Work& work, const CsrNeighborhood<double, 3>& view, std::size_t i,
+                    Workspace& workspace, Labels& labels) {
+    gather_neighbors(work, view, i, workspace.caps, labels);
+    labels.uncovered_fraction[i] = work.method == LabelMethod::exact
+                                       ? exact_fraction(work, workspace.caps, workspace.coverage)
+                                       : sampled_fraction(work, i, workspace);
     labels.surface[i] = labels.uncovered_fraction[i] > zero_uncovered_fraction ? 1 : 0;
 }
 
@@ -174,18 +238,26 @@ Labels label_particles(const Snapshot& snapshot, double support_radius,
     return labels;
 }
 
-std::map<std::string, std::string> label_provenance(double support_radius,
-                                                    const LabelOptions& options) {
-    return {{"program", std::string("meniscus ") + program_version},
-            {"method", "monte-carlo"},
-            {"samples", std::to_string(options.samples)},
-            {"scheme", options.scheme},
-            {"seed", std::to_string(options.seed)},
-            {"radius_ratio", provenance_number(options.radius_ratio)},
-            {"support_radius", provenance_number(support_radius)},
-            {"neighbor_band", provenance_number(neighbor_band)},
-            {"label_bound", provenance_number(zero_uncovered_fraction)},
-            {"skip_invalid", options.skip_invalid ? "yes" : "no"}};
+void set_label_provenance(Snapshot& snapshot, double support_radius, const LabelOptions& options) {
+    auto& provenance = snapshot.provenance;
+    provenance["program"] = std::string("meniscus ") + program_version;
+    for (const char* name : {"samples", "scheme", "seed", "boundary_particles"})
+        provenance.erase(name);
+    if (options.method == LabelMethod::exact) {
+        provenance["method"] = "exact";
+    } else {
+        provenance["method"] = "monte-carlo";
+        provenance["samples"] = std::to_string(options.samples);
+        provenance["scheme"] = options.scheme;
+        provenance["seed"] = std::to_string(options.seed);
+    }
+    if (!snapshot.boundary.empty())
+        provenance["boundary_particles"] = std::to_string(snapshot.boundary.size());
+    provenance["radius_ratio"] = provenance_number(options.radius_ratio);
+    provenance["support_radius"] = provenance_number(support_radius);
+    provenance["neighbor_band"] = provenance_number(neighbor_band);
+    provenance["label_bound"] = provenance_number(zero_uncovered_fraction);
+    provenance["skip_invalid"] = options.skip_invalid ? "yes" : "no";
 }
 
 void add_labels(Snapshot& snapshot, const Labels& labels, double support_radius,
@@ -196,8 +268,7 @@ void add_labels(Snapshot& snapshot, const Labels& labels, double support_radius,
     set_array(snapshot, {"valid", 1, labels.valid});
     set_array(snapshot, {"mass_offset", 1, labels.mass_offset});
     set_array(snapshot, {"neighbor_count", 1, labels.neighbor_count});
-    for (const auto& [name, value] : label_provenance(support_radius, options))
-        snapshot.provenance[name] = value;
+    set_label_provenance(snapshot, support_radius, options);
 }
 
 double mean_neighbor_count(const Labels& labels) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <meniscus/data/snapshot.hpp>
+#include <meniscus/runtime/exact_coverage.hpp>
 
 #include <cstdint>
 #include <functional>
@@ -13,15 +14,16 @@
 
 namespace meniscus {
 
-/// Uncovered fractions at or below this are zero: the rounding of double in the test of a single
-/// direction, far below one sample.
-inline constexpr double zero_uncovered_fraction = 1e-9;
+/// How lambda is found: by the arcs that bound the uncovered part, or as the uncovered share of
+/// many directions.
+enum class LabelMethod { exact, monte_carlo };
 
 struct LabelOptions {
+    LabelMethod method = LabelMethod::exact;
     double radius_ratio = 0.8;     ///< r2 / r1, in (0, 1)
-    std::size_t samples = 100000;  ///< directions a particle
-    std::string scheme = "halton"; ///< name of a sampling scheme
-    std::uint64_t seed = 0;        ///< 0: Halton's sequence as it is
+    std::size_t samples = 100000;  ///< Monte Carlo: directions a particle
+    std::string scheme = "halton"; ///< Monte Carlo: name of a sampling scheme
+    std::uint64_t seed = 0;        ///< Monte Carlo; 0: Halton's sequence as it is
     bool skip_invalid = false;     ///< leave particles with non-finite positions out
     int threads = 0;               ///< 0: all cores; the labels do not depend on it
     /// Called now and then from the calling thread with the number of particles done.
@@ -38,22 +40,24 @@ struct Labels {
 };
 
 /// Labels all particles with support radius `support_radius` (m). A `phase` array keeps phases
-/// apart, a `mass` array weights the features, an `id` array keys random directions. Throws
-/// InputError where an option is out of range, where a position is not finite (how many, and the
-/// first index) unless skip_invalid, where a mass is not positive, or where the neighbor search
-/// refuses.
+/// apart, a `mass` array weights the features, an `id` array keys random directions. The snapshot's
+/// boundary particles cover, whatever the phase, but do not count in the features: a particle at a
+/// wall is not at the free surface. Throws InputError where an option is out of range, where a
+/// position is not finite (how many, and the first index) unless skip_invalid, where a mass is not
+/// positive, or where the neighbor search refuses; likewise for the boundary.
 Labels label_particles(const Snapshot& snapshot, double support_radius,
                        const LabelOptions& options);
 
 /// Adds the labels as point data (uncovered_fraction, surface, valid, mass_offset, neighbor_count)
-/// and says in the provenance how they were made: method, samples, scheme, seed, radius_ratio,
-/// skip_invalid, label_bound, program.
+/// and set_label_provenance.
 void add_labels(Snapshot& snapshot, const Labels& labels, double support_radius,
                 const LabelOptions& options);
 
-/// The provenance entries that add_labels writes for these options.
-std::map<std::string, std::string> label_provenance(double support_radius,
-                                                    const LabelOptions& options);
+/// Says in the provenance how the labels are made with these options: program, method, with Monte
+/// Carlo samples, scheme and seed, radius_ratio, support_radius, neighbor_band, label_bound,
+/// skip_invalid, and boundary_particles where there are some. What an earlier labelling said is
+/// gone.
+void set_label_provenance(Snapshot& snapshot, double support_radius, const LabelOptions& options);
 
 /// Mean neighbor count over valid particles; 0 where there are none.
 double mean_neighbor_count(const Labels& labels);

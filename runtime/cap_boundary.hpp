@@ -47,6 +47,31 @@ namespace cap_boundary {
 /// Shorter arcs are rounding.
 inline constexpr double shortest_arc = 1e-13;
 
+/// Caps whose middles are closer than about 4e-5 are cut with more care.
+inline constexpr double nearly_the_same = 1 - 1e-9;
+
+/// The frame that two middles span, and the plane in which their circles cut. Stays good where the
+/// middles all but coincide; undefined where they do.
+struct Axes {
+    Vector3 ahead; ///< unit vector halfway between the middles
+    Vector3 aside; ///< unit vector from middle i towards middle j, at right angles to it
+    double to_middle, to_apart; ///< 1 / length of the sum and of the difference of the middles
+    double along, across;       ///< of the points of the cut
+
+    Axes(const CoveringCaps& caps, std::size_t i, std::size_t j) {
+        const Vector3 together = sum(caps.middle(j), caps.middle(i));
+        to_middle = 1 / std::sqrt(dot(together, together));
+        ahead = scaled(to_middle, together);
+        // Rounding leaves the middles not quite of one length, which counts where they are close.
+        const Vector3 between = difference(caps.middle(j), caps.middle(i));
+        const Vector3 apart = difference(between, scaled(dot(between, ahead), ahead));
+        to_apart = 1 / std::sqrt(dot(apart, apart));
+        aside = scaled(to_apart, apart);
+        along = (caps.cosine[i] + caps.cosine[j]) * to_middle;
+        across = (caps.cosine[j] - caps.cosine[i]) * to_apart;
+    }
+};
+
 /// How the circles of two caps lie to each other; the same to the bit in either order.
 struct Pair {
     double between;       ///< cosine of the angle between the middles
@@ -59,6 +84,12 @@ struct Pair {
         const double sines = caps.sine[i] * caps.sine[j];
         past_touching = between - (cosines - sines);
         before_inside = cosines + sines - between;
+        if (between > nearly_the_same) { // a difference of numbers that are nearly 1
+            const Axes axes(caps, i, j);
+            const double product = axes.to_middle * axes.to_apart;
+            before_inside = (1 - axes.along * axes.along - axes.across * axes.across) /
+                            (4 * product * product * past_touching);
+        }
     }
 
     /// Volume that the middles and a point of the cut span; 0 where there is no cut.
@@ -73,32 +104,23 @@ struct Cut {
     Vector3 entry, exit;
 
     Cut(const CoveringCaps& caps, std::size_t i, std::size_t j) {
-        const Vector3 apart = difference(caps.middle(j), caps.middle(i));
-        const Vector3 together = sum(caps.middle(j), caps.middle(i));
-        const double to_apart = 1 / std::sqrt(dot(apart, apart));
-        const double to_middle = 1 / std::sqrt(dot(together, together));
-        const Vector3 aside = scaled(to_apart, apart);
-        const Vector3 ahead = scaled(to_middle, together);
-        const Vector3 base = sum(scaled((caps.cosine[i] + caps.cosine[j]) * to_middle, ahead),
-                                 scaled((caps.cosine[j] - caps.cosine[i]) * to_apart, aside));
-        const double volume = Pair(caps, i, j).volume();
-        const Vector3 half = scaled(2 * volume * to_middle * to_apart, cross(ahead, aside));
-        entry = difference(base, half);
-        exit = sum(base, half);
+        const Axes axes(caps, i, j);
+        const Vector3 base = sum(scaled(axes.along, axes.ahead), scaled(axes.across, axes.aside));
+        const double half = 2 * Pair(caps, i, j).volume() * axes.to_middle * axes.to_apart;
+        const Vector3 up = scaled(half, cross(axes.ahead, axes.aside));
+        entry = difference(base, up);
+        exit = sum(base, up);
     }
 };
 
 /// From entry to exit of a circle with another cap, 0 to 4. It is more than half the circle where
-/// `center`, the product of the circle's center with the cap's middle, lies below the cap's cosine
-/// by less than nothing; that decides where entry and exit all but coincide.
+/// `center` is negative: the circle's center then lies inside the cap. That decides where entry and
+/// exit all but coincide.
 MENISCUS_INLINE Wide covered_length(Wide entry, Wide exit, Wide center) {
     const Wide turn = exit - entry;
     const Wide length = turn + 2 - with_sign(all_lanes(2), turn + with_sign(all_lanes(1), center));
     return smaller(larger(length, Wide{}), all_lanes(4));
 }
-
-/// Caps whose middles are closer than about 4e-5 are cut with more care.
-inline constexpr double nearly_the_same = 1 - 1e-9;
 
 /// What cap j covers of the circle of cap i, where their middles all but coincide. Of two equal
 /// caps, the first covers the other.
@@ -106,7 +128,7 @@ inline double careful_cover(const CoveringCaps& caps, std::size_t i, std::size_t
                             const Frame& frame, double& entry) {
     const Pair pair(caps, i, j);
     const Vector3 apart = difference(caps.middle(j), caps.middle(i));
-    if (pair.before_inside <= 0 || dot(apart, apart) < 1e-24) {
+    if (dot(apart, apart) < 1e-29 || !(pair.before_inside > 0)) {
         const bool covers =
             caps.cosine[j] != caps.cosine[i] ? caps.cosine[j] < caps.cosine[i] : j < i;
         return covers ? 4 : 0;

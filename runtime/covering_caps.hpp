@@ -7,6 +7,7 @@
 #pragma once
 
 #include "instruction_set.hpp"
+#include "neighborhood.hpp"
 #include "vector3.hpp"
 #include "wide.hpp"
 
@@ -69,7 +70,7 @@ void add_cap(CoveringCaps& caps, const Displacement& displacement, double partic
     const double distance = std::sqrt(dot(place, place));
     const double ratio = neighbor_radius * scale;
     const double overlap = (ratio - 1 + distance) * (ratio + 1 - distance);
-    if (!(overlap > 0)) // also where the distance is not a number
+    if (!is_positive_and_finite(overlap))
         return;
     const double to_unit = 1 / distance;
     const double depth = overlap * to_unit * 0.5; // 1 - cos theta

@@ -11,7 +11,7 @@
 //
 // Where more than two circles all but coincide, rounding may put their cuts in the wrong order. The
 // steps from the beginning to the end of each arc then do not add up to zero, and the caps are
-// enlarged by different fractions of 1e-10, which sets such circles apart.
+// enlarged by different fractions of 1e-10, or up to 1e-8, which sets such circles apart.
 #pragma once
 
 #include "cap_boundary.hpp"
@@ -162,7 +162,7 @@ inline UncoveredPart part_by_boundary(ExactCoverage& coverage) {
         std::min_element(caps.cosine.begin(),
                          caps.cosine.begin() + static_cast<std::ptrdiff_t>(caps.size()))));
     BoundarySum boundary = sum_boundary(caps.middle(largest), coverage);
-    for (double most = 1e-10; dot(boundary.gap, boundary.gap) > 1e-20 && most < 2e-9; most *= 2) {
+    for (double most = 1e-10; dot(boundary.gap, boundary.gap) > 1e-20 && most < 2e-8; most *= 10) {
         enlarge(most, coverage.near);
         boundary = sum_boundary(caps.middle(largest), coverage);
     }
@@ -210,8 +210,8 @@ inline UncoveredPart part_of_circle(ExactCoverage& coverage) {
 
 } // namespace exact_coverage
 
-/// What the caps leave uncovered, exact but for rounding: within 1e-12, or 1e-9 where many circles
-/// all but coincide. All of it where there is no cap.
+/// What the caps leave uncovered, exact but for rounding: within 1e-12, 1e-9 on lattices, 1e-8 where
+/// many circles all but coincide. All of it where there is no cap.
 template <int Dimension>
 MENISCUS_INLINE UncoveredPart uncovered_part(const CoverageCells& cells, ExactCoverage& coverage) {
     static_assert(Dimension == 2 || Dimension == 3);

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <type_traits>
 
 namespace meniscus {
@@ -32,6 +33,13 @@ auto bits_of(Real value) {
     std::conditional_t<std::is_same_v<Real, float>, std::uint32_t, std::uint64_t> bits;
     std::memcpy(&bits, &value, sizeof bits);
     return bits;
+}
+
+/// True for positive numbers but infinity; by bits, so that it holds for NaN even under -ffast-math.
+template <class Real>
+bool is_positive_and_finite(Real value) {
+    using Limits = std::numeric_limits<Real>;
+    return bits_of(value) - 1 < bits_of(Limits::infinity()) - 1;
 }
 
 /// Which distances make a neighbor: farther than the radius at which its sphere (r2) still lies

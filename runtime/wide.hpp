@@ -74,7 +74,7 @@ MENISCUS_INLINE Wide absolute(Wide a) {
 
 MENISCUS_INLINE Wide square_root(Wide a) {
 #if defined(__AVX512F__)
-    return (Wide)_mm512_sqrt_pd((__m512d)a);
+    return (Wide)_mm512_maskz_sqrt_pd(0xff, (__m512d)a); // the plain one makes GCC 12 warn
 #elif defined(__AVX__)
     return (Wide)_mm256_sqrt_pd((__m256d)a);
 #elif defined(__SSE2__)

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <string>
+#include <tuple>
 
 namespace meniscus {
 namespace {
@@ -22,15 +24,17 @@ std::vector<float> independent_fractions(const std::string& state, std::size_t c
     return fractions;
 }
 
-class IndependentLabels : public testing::TestWithParam<const char*> {};
+using StateAndMethod = std::tuple<const char*, LabelMethod>;
+class IndependentLabels : public testing::TestWithParam<StateAndMethod> {};
 
 TEST_P(IndependentLabels, AgreeOutsideTheErrorOfSampling) {
-    const std::string state = GetParam();
+    const std::string state = std::get<0>(GetParam());
     if (!std::filesystem::exists(folder / (state + ".vtk")))
         GTEST_SKIP() << "no shared snapshots here";
     const Snapshot snapshot = read_snapshot(folder / (state + ".vtk"));
     const double support_radius = state.rfind("droplet", 0) == 0 ? 0.12 : 0.08;
     LabelOptions options;
+    options.method = std::get<1>(GetParam());
     options.samples = 50000;
     const auto labels = label_particles(snapshot, support_radius, options);
     const auto expected = independent_fractions(state, snapshot.size());
@@ -48,10 +52,24 @@ TEST_P(IndependentLabels, AgreeOutsideTheErrorOfSampling) {
     EXPECT_LE(different, snapshot.size() / 1000);
 }
 
-INSTANTIATE_TEST_SUITE_P(States, IndependentLabels,
-                         testing::Values("boxhole_dfsph_18", "cube_iisph_05", "droplet_iisph_14",
-                                         "snake_dfsph_05"),
-                         [](const auto& tested) { return std::string(tested.param); });
+std::string name_of(const testing::TestParamInfo<StateAndMethod>& info) {
+    const bool exact = std::get<1>(info.param) == LabelMethod::exact;
+    return std::string(std::get<0>(info.param)) + (exact ? "_exact" : "_monte_carlo");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    States, IndependentLabels,
+    testing::Combine(testing::Values("boxhole_dfsph_04", "boxhole_dfsph_18", "crown_dfsph_02",
+                                     "crown_dfsph_15", "cube_iisph_05", "dam_dfsph_04",
+                                     "dam_dfsph_08", "dam_dfsph_14", "droplet_iisph_06",
+                                     "droplet_iisph_14", "snake_dfsph_05"),
+                     testing::Values(LabelMethod::exact)),
+    name_of);
+INSTANTIATE_TEST_SUITE_P(SampledStates, IndependentLabels,
+                         testing::Combine(testing::Values("boxhole_dfsph_18", "droplet_iisph_14",
+                                                          "snake_dfsph_05"),
+                                          testing::Values(LabelMethod::monte_carlo)),
+                         name_of);
 
 } // namespace
 } // namespace meniscus

@@ -37,6 +37,7 @@ TEST(Labeler, SurfaceOfALatticeIsItsOuterLayer) {
         for (const char* scheme : {"halton", "random", "table", "blue-noise", "halton-3-5"}) {
             const auto snapshot = lattice(7, dimension);
             LabelOptions options;
+            options.method = LabelMethod::monte_carlo;
             options.samples = 2000;
             options.scheme = scheme;
             const auto labels = label_particles(snapshot, 2.0, options);
@@ -60,6 +61,7 @@ TEST(Labeler, CountsOfALatticeDoNotDependOnRounding) {
 TEST(Labeler, LambdaIsThatOfTheReference) {
     const auto snapshot = lattice(5, 3);
     LabelOptions options;
+    options.method = LabelMethod::monte_carlo;
     options.samples = 5000;
     const auto labels = label_particles(snapshot, 2.3, options);
     std::vector<Direction> directions(options.samples);
@@ -85,6 +87,7 @@ TEST(Labeler, ParticlesInOnePlaceAreAllSurface) {
     Snapshot snapshot;
     snapshot.positions.assign(300, {1, 1, 1});
     LabelOptions options;
+    options.method = LabelMethod::monte_carlo;
     options.samples = 100;
     const auto labels = label_particles(snapshot, 0.5, options);
     for (std::size_t i = 0; i < snapshot.size(); ++i) {
@@ -96,6 +99,7 @@ TEST(Labeler, ParticlesInOnePlaceAreAllSurface) {
 TEST(Labeler, SameLabelsOnAnyNumberOfThreads) {
     const auto snapshot = lattice(9, 3);
     LabelOptions options;
+    options.method = LabelMethod::monte_carlo;
     options.samples = 500;
     options.scheme = "random";
     options.threads = 1;
@@ -114,6 +118,7 @@ TEST(Labeler, RandomDirectionsFollowTheParticlesId) {
         ids[i] = static_cast<std::int32_t>(1000 + i);
     set_array(snapshot, {"id", 1, ids});
     LabelOptions options;
+    options.method = LabelMethod::monte_carlo;
     options.samples = 300;
     options.scheme = "random";
     const auto labels = label_particles(snapshot, 2.5, options);
@@ -132,6 +137,7 @@ TEST(Labeler, PhasesDoNotCoverEachOther) {
         phase[i] = snapshot.positions[i][0] < 3 ? 0 : 1;
     set_array(snapshot, {"phase", 1, phase});
     LabelOptions options;
+    options.method = LabelMethod::monte_carlo;
     options.samples = 500;
     const auto labels = label_particles(snapshot, 2.0, options);
     for (std::size_t i = 0; i < snapshot.size(); ++i) {
@@ -154,6 +160,7 @@ TEST(Labeler, MassesWeightTheOffset) {
 
 TEST(Labeler, SameLabelsInAnyUnitOfLength) {
     LabelOptions options;
+    options.method = LabelMethod::monte_carlo;
     options.samples = 1000;
     const Labels labels = label_particles(lattice(5, 3), 2.0, options);
     for (const double unit : {0x1p-30, 0x1p30}) { // about 1e-9 and 1e9, exact
@@ -173,6 +180,7 @@ TEST(Labeler, SaysHowManyPositionsAreNotFiniteAndWhichFirst) {
     snapshot.positions[7][1] = std::nan("");
     snapshot.positions[12][0] = std::numeric_limits<double>::infinity();
     LabelOptions options;
+    options.method = LabelMethod::monte_carlo;
     options.samples = 100;
     EXPECT_EQ(error_of<InputError>([&] { label_particles(snapshot, 2.0, options); }),
               "2 of 64 particles have positions that are not finite, the first is particle 7; "
@@ -187,6 +195,7 @@ TEST(Labeler, SaysHowManyPositionsAreNotFiniteAndWhichFirst) {
 TEST(Labeler, RefusesOptionsOutOfRange) {
     const auto snapshot = lattice(3, 3);
     LabelOptions options;
+    options.method = LabelMethod::monte_carlo;
     options.samples = 0;
     EXPECT_THROW(label_particles(snapshot, 2.0, options), InputError);
     for (const double ratio : {0.0, 1.0, -0.5, std::nan("")}) {
@@ -200,6 +209,7 @@ TEST(Labeler, RefusesOptionsOutOfRange) {
 TEST(Labeler, ReportsProgressUpToTheEnd) {
     const auto snapshot = lattice(12, 3);
     LabelOptions options;
+    options.method = LabelMethod::monte_carlo;
     options.samples = 100;
     options.threads = 1;
     std::size_t last = 0;
@@ -213,7 +223,8 @@ TEST(Labeler, ReportsProgressUpToTheEnd) {
 
 TEST(Labeler, AddsArraysAndProvenance) {
     auto snapshot = lattice(4, 3);
-    const LabelOptions options;
+    LabelOptions options;
+    options.method = LabelMethod::monte_carlo;
     const auto labels = label_particles(snapshot, 2.0, options);
     add_labels(snapshot, labels, 2.0, options);
     for (const char* name :
@@ -221,6 +232,11 @@ TEST(Labeler, AddsArraysAndProvenance) {
         EXPECT_NE(find_array(snapshot, name), nullptr) << name;
     EXPECT_EQ(snapshot.provenance.at("method"), "monte-carlo");
     EXPECT_EQ(snapshot.provenance.at("samples"), "100000");
+    // Labelled again, it says nothing of what is no longer so.
+    set_label_provenance(snapshot, 2.0, LabelOptions{});
+    EXPECT_EQ(snapshot.provenance.at("method"), "exact");
+    EXPECT_EQ(snapshot.provenance.count("samples"), 0U);
+    EXPECT_EQ(snapshot.provenance.count("scheme"), 0U);
     EXPECT_EQ(*snapshot.support_radius, 2.0);
 }
 

@@ -1,0 +1,160 @@
+// Exact labels against Monte Carlo ones, which share nothing with them but the neighbors.
+#include <meniscus/data/errors.hpp>
+#include <meniscus/data/snapshot_files.hpp>
+#include <meniscus/labeler/coverage.hpp>
+#include <meniscus/labeler/exact_labels.hpp>
+#include <meniscus/labeler/labeler.hpp>
+#include <runtime/random_caps.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <map>
+
+namespace meniscus {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Standard error of lambda by that many independent directions.
+double standard_error(double lambda, double samples) {
+    return std::sqrt(std::max(lambda * (1 - lambda), 1 / samples) / samples);
+}
+
+void expect_agreement(const Snapshot& snapshot, double support_radius) {
+    LabelOptions options;
+    options.skip_invalid = true;
+    const Labels exact = label_particles(snapshot, support_radius, options);
+    options.method = LabelMethod::monte_carlo;
+    const Labels sampled = label_particles(snapshot, support_radius, options);
+    const auto samples = static_cast<double>(options.samples);
+    std::size_t surface = 0;
+    for (std::size_t i = 0; i < snapshot.size(); ++i) {
+        const double lambda = exact.uncovered_fraction[i];
+        surface += exact.surface[i];
+        ASSERT_LT(std::abs(sampled.uncovered_fraction[i] - lambda),
+                  6 * standard_error(lambda, samples))
+            << "particle " << i << ", lambda " << lambda;
+        if (std::max(lambda, sampled.uncovered_fraction[i]) > 20 / samples) {
+            ASSERT_EQ(exact.surface[i], sampled.surface[i]) << "particle " << i;
+        }
+    }
+    EXPECT_GT(surface, 0U);
+    EXPECT_EQ(exact.neighbor_count, sampled.neighbor_count);
+    EXPECT_EQ(exact.mass_offset, sampled.mass_offset);
+}
+
+class ExactLabels : public testing::TestWithParam<fs::path> {};
+
+TEST_P(ExactLabels, AgreeWithMonteCarloOnSamples) {
+    const Snapshot snapshot = read_snapshot(GetParam());
+    expect_agreement(snapshot, *snapshot.support_radius);
+}
+
+std::vector<fs::path> files_in(const fs::path& folder, const std::string& extension) {
+    std::vector<fs::path> files;
+    if (fs::exists(folder))
+        for (const auto& entry : fs::directory_iterator(folder))
+            if (entry.path().extension() == extension)
+                files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+std::string stem_of(const testing::TestParamInfo<fs::path>& info) {
+    return info.param.stem().string();
+}
+
+INSTANTIATE_TEST_SUITE_P(Samples, ExactLabels,
+                         testing::ValuesIn(files_in(MENISCUS_SAMPLES, ".vtkhdf")), stem_of);
+
+TEST(ExactCoverageOfTheLabeler, EqualsDenseMonteCarlo) {
+    constexpr std::size_t samples = 20000;
+    std::mt19937_64 generator(7);
+    for (const int dimension : {2, 3}) {
+        std::vector<Direction> directions(samples);
+        fill_halton(dimension, 0, 0, directions);
+        const DirectionBlocks blocks = compact_blocks(std::move(directions));
+        Caps caps;
+        ExactCoverage coverage;
+        for (int trial = 0; trial < 20000; ++trial) {
+            caps.displacements = random_neighborhood(generator, dimension);
+            caps.radius_ratio = test_radius_ratio;
+            const double sampled =
+                static_cast<double>(count_uncovered(blocks, caps)) / static_cast<double>(samples);
+            if (dimension == 2)
+                fill_caps<2>(coverage, caps.displacements);
+            else
+                fill_caps<3>(coverage, caps.displacements);
+            const double lambda = exact_uncovered_part(dimension, coverage).fraction;
+            ASSERT_LT(std::abs(sampled - lambda), 6 * standard_error(lambda, samples))
+                << dimension << "D, trial " << trial;
+        }
+    }
+}
+
+/// Whatever instruction set is picked at run time, the bits are those of the portable headers.
+TEST(ExactCoverageOfTheLabeler, IsThatOfTheHeadersToTheBit) {
+    std::mt19937_64 generator(8);
+    ExactCoverage coverage;
+    for (int trial = 0; trial < 5000; ++trial) {
+        const auto neighbors = random_neighborhood(generator, 3);
+        fill_caps<3>(coverage, neighbors);
+        const UncoveredPart dispatched = exact_uncovered_part(3, coverage);
+        const UncoveredPart plain = uncovered_part<3>(test_cells(), coverage);
+        ASSERT_EQ(dispatched.fraction, plain.fraction) << trial;
+        ASSERT_EQ(dispatched.moment, plain.moment) << trial;
+        ASSERT_EQ(is_exactly_uncovered(3, coverage), plain.fraction > zero_uncovered_fraction);
+    }
+}
+
+/// A cube of particles on a floor and between walls of boundary particles.
+Snapshot basin(int side) {
+    Snapshot snapshot;
+    for (int x = -1; x <= side; ++x)
+        for (int y = -1; y <= side; ++y)
+            for (int z = -1; z < side; ++z) {
+                const bool inside = x >= 0 && x < side && y >= 0 && y < side && z >= 0;
+                (inside ? snapshot.positions : snapshot.boundary)
+                    .push_back({1.0 * x, 1.0 * y, 1.0 * z});
+            }
+    return snapshot;
+}
+
+TEST(Boundary, ParticlesAtAWallAreNotAtTheSurface) {
+    for (const LabelMethod method : {LabelMethod::exact, LabelMethod::monte_carlo}) {
+        Snapshot snapshot = basin(6);
+        LabelOptions options;
+        options.method = method;
+        options.samples = 2000;
+        const Labels labels = label_particles(snapshot, 2.0, options);
+        for (std::size_t i = 0; i < snapshot.size(); ++i)
+            EXPECT_EQ(labels.surface[i] != 0, snapshot.positions[i][2] == 5) << "particle " << i;
+        // The features are those of the fluid alone.
+        const Labels with = labels;
+        snapshot.boundary.clear();
+        const Labels without = label_particles(snapshot, 2.0, options);
+        EXPECT_EQ(with.neighbor_count, without.neighbor_count);
+        EXPECT_EQ(with.mass_offset, without.mass_offset);
+        EXPECT_GT(std::count(without.surface.begin(), without.surface.end(), 1),
+                  std::count(with.surface.begin(), with.surface.end(), 1));
+    }
+}
+
+TEST(Boundary, MustBeFiniteAndInTheFluidsPlane) {
+    Snapshot snapshot = basin(2);
+    snapshot.boundary[3][1] = std::nan("");
+    EXPECT_THROW(label_particles(snapshot, 2.0, LabelOptions{}), InputError);
+    snapshot.boundary = {{-1, 0, 0.5}};
+    snapshot.positions = {{0, 0, 0}, {1, 0, 0}};
+    snapshot.dimension = 2;
+    EXPECT_THROW(label_particles(snapshot, 2.0, LabelOptions{}), InputError);
+    snapshot.boundary = {{-1, 0, 0}};
+    EXPECT_NO_THROW(label_particles(snapshot, 2.0, LabelOptions{}));
+    snapshot.positions.clear();
+    EXPECT_NO_THROW(label_particles(snapshot, 2.0, LabelOptions{}));
+}
+
+} // namespace
+} // namespace meniscus
