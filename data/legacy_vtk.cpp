@@ -230,6 +230,16 @@ void read_points(Source& source, const Words& header, Snapshot& snapshot) {
         values);
 }
 
+/// KEYWORD type, and the values: half of the cells since version 5.
+void take_cell_array(Source& source, const std::string& section, const std::string& keyword,
+                     std::uint64_t count) {
+    const Words words = next_header(source);
+    if (!starts_with(words, keyword) || words.size() != 2) {
+        fail(source, section, "'" + keyword + " type'", shown(words));
+    }
+    take_values(source, section + ", " + keyword, count, 1, parse_type(source, section, words[1]));
+}
+
 /// Cells carry nothing that positions do not say; they are stepped over. Since version 5 they are
 /// two arrays with headers of their own. Returns their number.
 std::uint64_t skip_cells(Source& source, const Words& header, int version) {
@@ -241,15 +251,8 @@ std::uint64_t skip_cells(Source& source, const Words& header, int version) {
         take_values(source, section, second, 1, parse_type(source, section, "int"));
         return first;
     }
-    for (const int part : {1, 2}) {
-        const std::string keyword = part == 1 ? "OFFSETS" : "CONNECTIVITY";
-        const Words words = next_header(source);
-        if (!starts_with(words, keyword) || words.size() != 2) {
-            fail(source, section, "'" + keyword + " type'", shown(words));
-        }
-        take_values(source, section + ", " + keyword, part == 1 ? first : second, 1,
-                    parse_type(source, section, words[1]));
-    }
+    take_cell_array(source, section, "OFFSETS", first);
+    take_cell_array(source, section, "CONNECTIVITY", second);
     return first > 0 ? first - 1 : 0;
 }
 

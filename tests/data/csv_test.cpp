@@ -6,9 +6,9 @@
 
 #include <clocale>
 #include <cmath>
-#include <cstring>
 #include <initializer_list>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace meniscus {
@@ -136,16 +136,21 @@ TEST_F(Csv, TwoDimensionsComeFromTheColumns) {
 }
 
 TEST_F(Csv, PositionsAreFoundUnderTheirNames) {
-    for (const char* header :
-         {"x,y,z", "Z,X,Y", "pos_x,pos_y,pos_z", "posx,posy,posz", "position:0,position:1",
-          "Position.X,Position.Y", "Points 0,Points 1", "coords_0,coords_1",
-          "coordinates_y,"
-          "coordinates_x",
-          "x (m),y (m)", "X [m],Z [m]"}) {
-        const std::string row =
-            std::string("1,1") +
-            (std::count(header, header + std::strlen(header), ',') == 2 ? ",1\n" : "\n");
-        EXPECT_EQ(read(header + ("\n" + row)).positions[0][0], 1) << header;
+    const std::pair<const char*, std::array<double, 3>> headers[] = {
+        {"x,y,z", {1, 2, 3}},
+        {"Z,X,Y", {2, 3, 1}},
+        {"pos_x,pos_y,pos_z", {1, 2, 3}},
+        {"posz,posy,posx", {3, 2, 1}},
+        {"Position:0,Position:1,mass", {1, 2, 0}},
+        {"mass,Positions.X,Positions.Y", {2, 3, 0}},
+        {"Points 0,Points 1,Points 2", {1, 2, 3}},
+        {"coords_0,mass,coords_1", {1, 3, 0}},
+        {"coordinates_y,id,coordinates_x", {3, 1, 0}},
+        {"x (m),y (m),rho (kg/m3)", {1, 2, 0}},
+        {"Z [m],X [m],Vel.x [m/s]", {2, 1, 0}},
+    };
+    for (const auto& [header, position] : headers) {
+        EXPECT_EQ(read(header + std::string("\n1,2,3\n")).positions, Positions{position}) << header;
     }
 }
 
