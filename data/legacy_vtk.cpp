@@ -179,9 +179,10 @@ void read_attribute(Source& source, const Words& header, std::vector<PointArray>
 
 /// The major version of "# vtk DataFile Version 4.1".
 int read_version(Source& source) {
+    const bool begins_well = source.rest.substr(0, first_line.size()) == first_line;
     const Words words = line_words(source);
     int major = 0;
-    if (words.size() != 5 ||
+    if (!begins_well || words.size() != 5 ||
         read_number(words[4].substr(0, words[4].find('.')), major) != std::errc() || major < 1 ||
         major > 5) {
         fail(source, "header", "'" + std::string(first_line) + "' 1.0 to 5.1", shown(words));

@@ -354,6 +354,10 @@ TEST_F(LegacyVtkAscii, ManyEmptyArraysEndSoon) {
 
 TEST_F(LegacyVtkAscii, TextsNamedVtkAreNoSnapshots) {
     expect_mentions(message("# dam break, frame 4\n0.5 1 2\n"), {"state.vtk", "legacy VTK"});
+    const fs::path misspelt =
+        write("state.vtk", "# vtk DaFile Version 3.0\nt\nASCII\nDATASET POLYDATA\n" + points());
+    expect_mentions(error_of<InputError>([&] { read_legacy_vtk(misspelt); }),
+                    {"section header", "DataFile", "DaFile"});
     expect_mentions(message("# vtk DataFile Version 3.0\nand nothing else\n"),
                     {"state.vtk", "section header", "ASCII or BINARY", "truncated"});
     expect_mentions(message("# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nhello\n"),

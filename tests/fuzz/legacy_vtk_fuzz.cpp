@@ -3,5 +3,10 @@
 #include <meniscus/data/legacy_vtk.hpp>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    return meniscus::run_reader(data, size, meniscus::read_legacy_vtk);
+    return meniscus::run_reader(data, size, [](const std::filesystem::path& file) {
+        const bool told = meniscus::is_legacy_vtk(file);
+        meniscus::Snapshot snapshot = meniscus::read_legacy_vtk(file);
+        meniscus::require(told, "what is read is told to be legacy VTK");
+        return snapshot;
+    });
 }
