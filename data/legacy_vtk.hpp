@@ -1,6 +1,7 @@
-// VTK's legacy format ("# vtk DataFile Version ..."), as SPlisHSPlasH's VTK exporter writes it:
-// binary (big endian) UNSTRUCTURED_GRID with one vertex cell a particle. Point data keeps the
-// names that the solver gave; `id`, `velocity` and `density` coincide with ours.
+// VTK's legacy format ("# vtk DataFile Version ..."), versions 1.0 to 5.1, ASCII or binary:
+// UNSTRUCTURED_GRID with vertex cells, as SPlisHSPlasH writes it, and POLYDATA with vertices or
+// mere points, as DualSPHysics does. Point data keeps the names that the solver gave;
+// SPlisHSPlasH's `id`, `velocity` and `density` coincide with ours.
 #pragma once
 
 #include "snapshot.hpp"

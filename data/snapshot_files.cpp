@@ -1,5 +1,6 @@
 #include "snapshot_files.hpp"
 
+#include "csv.hpp"
 #include "errors.hpp"
 #include "legacy_vtk.hpp"
 #include "vtkhdf.hpp"
@@ -35,6 +36,7 @@ struct Format {
 constexpr Format formats[] = {
     {"VTKHDF", is_vtkhdf, read_vtkhdf},
     {"legacy VTK", is_legacy_vtk, read_legacy_vtk},
+    {"CSV with columns x, y and z", is_csv, read_csv},
 };
 
 std::string errno_text() {

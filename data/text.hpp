@@ -1,5 +1,5 @@
 // Small helpers for text that people and programs read: numbers that read back to the same bits,
-// and error messages that name the file they are about.
+// and error messages that name the file they are about. None depends on the locale.
 #pragma once
 
 #include "errors.hpp"
@@ -7,6 +7,9 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
 
 namespace meniscus {
 
@@ -20,6 +23,24 @@ std::string rounded_text(double value, int digits);
 
 /// The number that the whole text stands for, or nothing; the same in every locale.
 std::optional<double> number_from_text(const std::string& text);
+
+/// Reads the whole text as a decimal number of the given type: any integer type of a snapshot's
+/// arrays, float or double. A sign may stand in front, and floating-point numbers may be nan or inf
+/// in letters of any case; what is too small for them becomes 0. Returns std::errc() where it was
+/// read, result_out_of_range for a number that the type cannot hold, invalid_argument for anything
+/// else; `value` is set in the first case only.
+template <class Number>
+std::errc read_number(std::string_view text, Number& value);
+
+/// The text with ASCII letters in lower case.
+std::string lowered(std::string_view text);
+
+/// Text of a file in quotes for a message, whatever bytes it is made of: at most 60 characters,
+/// those that cannot be shown as '?'.
+std::string quoted_text(std::string_view text);
+
+/// A name that occurs more than once, or nothing.
+std::optional<std::string> repeated_name(std::vector<std::string> names);
 
 /// Calls `work()`; an InputError from it that does not begin with the file's name gets it in front.
 template <class Work>

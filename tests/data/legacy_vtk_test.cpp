@@ -1,4 +1,5 @@
 #include "test_folder.hpp"
+#include "vtk_bytes.hpp"
 
 #include <meniscus/data/errors.hpp>
 #include <meniscus/data/legacy_vtk.hpp>
@@ -13,17 +14,6 @@ namespace {
 namespace fs = std::filesystem;
 
 using LegacyVtk = TestFolder;
-
-/// Numbers as the format stores them, big endian.
-template <class Number>
-std::string big_endian(const std::vector<Number>& values) {
-    std::string bytes;
-    for (const Number& value : values) {
-        const char* begin = reinterpret_cast<const char*>(&value);
-        std::reverse_copy(begin, begin + sizeof(Number), std::back_inserter(bytes));
-    }
-    return bytes;
-}
 
 std::string preamble() {
     return "# vtk DataFile Version 4.1\nSPlisHSPlasH particle data\nBINARY\n"
@@ -141,10 +131,13 @@ TEST_F(LegacyVtk, RefusesWhatIsNotSupportedByName) {
         return error_of<InputError>([&] { read_snapshot(write("state.vtk", bytes)); });
     };
     const std::string first = "# vtk DataFile Version 4.1\ntitle\n";
-    expect_mentions(message(first + "ASCII\nDATASET UNSTRUCTURED_GRID\n"),
-                    {"BINARY", "not supported yet", "found 'ASCII'"});
-    expect_mentions(message(first + "BINARY\nDATASET POLYDATA\n"),
-                    {"UNSTRUCTURED_GRID", "not supported yet", "POLYDATA"});
+    expect_mentions(message(first + "XML\nDATASET POLYDATA\n"), {"ASCII or BINARY", "'XML'"});
+    expect_mentions(message(first + "BINARY\nDATASET STRUCTURED_GRID\n"),
+                    {"UNSTRUCTURED_GRID or POLYDATA", "STRUCTURED_GRID"});
+    for (const char* version : {"6.0", "0.9", "x", "", "4.1 beta"}) {
+        expect_mentions(message("# vtk DataFile Version " + std::string(version) + "\ntitle\n"),
+                        {"section header", "1.0 to 5.1", version});
+    }
     std::string mesh = preamble() + points() + cells();
     mesh[mesh.size() - 2] = 10;
     expect_mentions(message(mesh), {"CELL_TYPES", "type 10", "mesh"});
@@ -222,7 +215,7 @@ TEST_F(LegacyVtk, WrongArraysAreNamed) {
                     {"'mass'", "2 tuples", "found 3"});
     expect_mentions(message("POINT_DATA 2\nFIELD f 1\nmass 0 2 float\n"), {"'mass'", "components"});
     expect_mentions(message("POINT_DATA 2\nFIELD f 1\nmass 1 2 string\n"), {"'mass'", "'string'"});
-    expect_mentions(message("POINT_DATA 2\nCOLOR_SCALARS c 3\n123456\n"), {"'COLOR_SCALARS c 3'"});
+    expect_mentions(message("POINT_DATA 2\nHYPERTREES c 3\n123456\n"), {"'HYPERTREES c 3'"});
     expect_mentions(message("POINT_DATA 3\n"), {"POINT_DATA", "2 tuples", "found 3"});
     expect_mentions(message("SCALARS id int\n"), {"POINT_DATA", "'SCALARS id int'"});
 }

@@ -27,6 +27,35 @@ TEST(Text, OnlyWholeTextsAreNumbers) {
         EXPECT_FALSE(number_from_text(text)) << text;
 }
 
+TEST(Text, NumbersAreReadAsTheTypeThatIsAskedFor) {
+    float small = 1;
+    EXPECT_EQ(read_number("0.1", small), std::errc());
+    EXPECT_EQ(small, 0.1F);
+    EXPECT_EQ(read_number("-1e-60", small), std::errc());
+    EXPECT_EQ(small, 0);
+    EXPECT_EQ(read_number("1e60", small), std::errc::result_out_of_range);
+    EXPECT_EQ(small, 0);
+    std::int8_t integer = 5;
+    EXPECT_EQ(read_number("+127", integer), std::errc());
+    EXPECT_EQ(integer, 127);
+    EXPECT_EQ(read_number("-129", integer), std::errc::result_out_of_range);
+    for (const char* text : {"", "+", "-", "+-1", "++1", " 1", "1 ", "1.0", "1e2", "0x1"})
+        EXPECT_EQ(read_number(text, integer), std::errc::invalid_argument) << text;
+    EXPECT_EQ(integer, 127);
+}
+
+TEST(Text, BytesOfFilesAreFitForMessages) {
+    EXPECT_EQ(quoted_text("a b"), "'a b'");
+    EXPECT_EQ(quoted_text(std::string_view("a\n\0\xff", 4)), "'a\?\?\?'");
+    EXPECT_EQ(quoted_text(std::string(61, 'x')), "'" + std::string(60, 'x') + "...'");
+}
+
+TEST(Text, RepeatedNamesAreFound) {
+    EXPECT_EQ(repeated_name({"b", "a", "c"}), std::nullopt);
+    EXPECT_EQ(repeated_name({"b", "a", "b"}), "b");
+    EXPECT_EQ(lowered("Pos.X [\xc4]"), "pos.x [\xc4]");
+}
+
 TEST(Text, ErrorsNameTheirFileOnce) {
     const auto message = [](const std::string& thrown) {
         return error_of<InputError>(
