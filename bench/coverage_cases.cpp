@@ -2,7 +2,7 @@
 
 #include <meniscus/data/neighbor_search.hpp>
 #include <meniscus/data/snapshot_files.hpp>
-#include <meniscus/labeler/coverage.hpp>
+#include <meniscus/labeler/exact_labels.hpp>
 #include <meniscus/labeler/labeler.hpp>
 #include <meniscus/runtime/features.hpp>
 #include <meniscus/runtime/random_directions.hpp>
@@ -16,53 +16,14 @@
 namespace meniscus {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
-double cap_threshold(double square) {
-    return (square + 1 - case_radius_ratio * case_radius_ratio) / 2;
-}
-
-/// By the union of the arcs that the neighbors cover.
-double uncovered_fraction_of_circle(const std::vector<Direction>& displacements) {
-    std::vector<std::pair<double, double>> arcs; // begin and end in turns, begin in [0, 1)
-    for (const Direction& x : displacements) {
-        const double square = x[0] * x[0] + x[1] * x[1];
-        const double cosine = cap_threshold(square) / std::sqrt(square);
-        if (!(cosine < 1))
-            continue;
-        const double half = std::acos(cosine) / (2 * pi);
-        double begin = std::atan2(x[1], x[0]) / (2 * pi) - half;
-        begin -= std::floor(begin);
-        arcs.emplace_back(begin, begin + 2 * half);
-        arcs.emplace_back(begin - 1, begin + 2 * half - 1); // what reaches past a whole turn
-    }
-    std::sort(arcs.begin(), arcs.end());
-    double uncovered = 0;
-    double covered_to = 0;
-    for (const auto& [begin, end] : arcs) {
-        uncovered += std::max(0.0, std::min(begin, 1.0) - covered_to);
-        covered_to = std::max(covered_to, end);
-    }
-    return uncovered + std::max(0.0, 1 - covered_to);
-}
-
-/// By so many directions that what they miss is far below the errors of the study.
-double uncovered_fraction_of_sphere(const std::vector<Direction>& displacements) {
-    constexpr std::size_t samples = 2'000'000;
-    static const DirectionBlocks blocks = [] {
-        std::vector<Direction> directions(samples);
-        fill_halton(3, 0, 0, directions);
-        return compact_blocks(std::move(directions));
-    }();
-    Caps caps;
-    caps.displacements = displacements;
-    caps.radius_ratio = case_radius_ratio;
-    return static_cast<double>(count_uncovered(blocks, caps)) / samples;
-}
-
 double exact_uncovered_fraction(const std::vector<Direction>& displacements, int dimension) {
-    return dimension == 2 ? uncovered_fraction_of_circle(displacements)
-                          : uncovered_fraction_of_sphere(displacements);
+    ExactCoverage coverage;
+    for (const Direction& x : displacements)
+        if (dimension == 2)
+            add_cap<2>(coverage.caps, x, 1, case_radius_ratio);
+        else
+            add_cap<3>(coverage.caps, x, 1, case_radius_ratio);
+    return exact_uncovered_part(dimension, coverage).fraction;
 }
 
 /// Particle numbers in random order.

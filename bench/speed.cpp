@@ -5,6 +5,7 @@
 // Usage: speed SNAPSHOT [options of Google Benchmark]. The repetitions of all benchmarks are
 // interleaved, and the ratios are of medians.
 #include "density_loop.hpp"
+#include "medians.hpp"
 
 #include <meniscus/data/neighbor_search.hpp>
 #include <meniscus/data/snapshot_files.hpp>
@@ -13,11 +14,9 @@
 #include <meniscus/runtime/classifier.hpp>
 #include <meniscus/runtime/surface_coefficients.hpp>
 
-#include <algorithm>
 #include <benchmark/benchmark.h>
 #include <cstdio>
 #include <exception>
-#include <map>
 #include <utility>
 
 namespace meniscus {
@@ -146,41 +145,6 @@ void register_for(const std::string& type, const Host<Real>& host) {
         [&](auto& state) { density_pass<Real, Fused::masses>(state, host); });
 }
 
-/// Keeps the medians. Processor time, which a busy machine disturbs least; wall time
-/// where threads are compared.
-class MedianReporter : public benchmark::ConsoleReporter {
-public:
-    std::map<std::string, double> medians; ///< milliseconds
-
-    MedianReporter() : benchmark::ConsoleReporter(OO_Tabular) {}
-
-    void ReportRuns(const std::vector<Run>& runs) override {
-        for (const Run& run : runs) {
-            if (run.run_type != Run::RT_Aggregate || run.aggregate_name != "median")
-                continue;
-            const double nanoseconds = run.run_name.time_type == "real_time"
-                                           ? run.GetAdjustedRealTime()
-                                           : run.GetAdjustedCPUTime();
-            medians[run.run_name.function_name] = nanoseconds * 1e-6;
-        }
-    }
-};
-
-void print_ratio(const MedianReporter& reporter, const char* what, const std::string& over,
-                 const std::string& under) {
-    const auto above = reporter.medians.find(over);
-    const auto below = reporter.medians.find(under);
-    if (above != reporter.medians.end() && below != reporter.medians.end())
-        std::printf("| %s | %s / %s | %.2f |\n", what, over.c_str(), under.c_str(),
-                    above->second / below->second);
-}
-
-void print_medians(const MedianReporter& reporter) {
-    std::printf("| benchmark | median, ms |\n|---|---|\n");
-    for (const auto& [name, milliseconds] : reporter.medians)
-        std::printf("| %s | %.3f |\n", name.c_str(), milliseconds);
-}
-
 void print_ratios(const MedianReporter& reporter) {
     std::printf("\n| what | ratio of medians | value |\n|---|---|---|\n");
     print_ratio(reporter, "fast labels, speedup over the scalar reference", "label_reference",
@@ -204,19 +168,7 @@ void print_ratios(const MedianReporter& reporter) {
 }
 
 int run(int argument_count, char** arguments) {
-    std::vector<char*> with_defaults = {arguments[0]};
-    char interleave[] = "--benchmark_enable_random_interleaving=true";
-    char repetitions[] = "--benchmark_repetitions=9";
-    char short_runs[] = "--benchmark_min_time=0.05";
-    char aggregates[] = "--benchmark_report_aggregates_only=true";
-    for (char* option : {interleave, repetitions, short_runs, aggregates})
-        with_defaults.push_back(option);
-    with_defaults.insert(with_defaults.end(), arguments + std::min(argument_count, 2),
-                         arguments + argument_count);
-    int count = static_cast<int>(with_defaults.size());
-    benchmark::Initialize(&count, with_defaults.data());
-    if (argument_count < 2 || benchmark::ReportUnrecognizedArguments(count, with_defaults.data()))
-        throw std::runtime_error("usage: speed SNAPSHOT [options of Google Benchmark]");
+    initialize_benchmarks(argument_count, arguments, 1, "usage: speed SNAPSHOT");
     const Snapshot snapshot = read_snapshot(arguments[1]);
     if (!snapshot.support_radius || snapshot.dimension != 3)
         throw std::runtime_error("the snapshot must be in 3D and store its support radius");

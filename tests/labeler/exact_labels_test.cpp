@@ -3,6 +3,7 @@
 #include <meniscus/data/snapshot_files.hpp>
 #include <meniscus/labeler/coverage.hpp>
 #include <meniscus/labeler/exact_labels.hpp>
+#include <meniscus/labeler/exact_reference.hpp>
 #include <meniscus/labeler/labeler.hpp>
 #include <runtime/random_caps.hpp>
 
@@ -91,6 +92,18 @@ TEST(ExactCoverageOfTheLabeler, EqualsDenseMonteCarlo) {
             ASSERT_LT(std::abs(sampled - lambda), 6 * standard_error(lambda, samples))
                 << dimension << "D, trial " << trial;
         }
+    }
+}
+
+TEST(ExactCoverageOfTheLabeler, EqualsTheReference) {
+    std::mt19937_64 generator(9);
+    ExactCoverage coverage;
+    for (int trial = 0; trial < 20000; ++trial) {
+        const auto neighbors = random_neighborhood(generator, 3);
+        fill_caps<3>(coverage, neighbors);
+        ASSERT_NEAR(exact_uncovered_part(3, coverage).fraction,
+                    uncovered_fraction_reference(neighbors, test_radius_ratio), 1e-9)
+            << trial;
     }
 }
 

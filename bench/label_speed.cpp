@@ -1,0 +1,123 @@
+// How fast exact labels are beside Monte Carlo ones, on snapshots: each label run as a whole, with
+// its neighbor search and its features.
+//   exact            lambda of every particle, on one thread and on two
+//   exact_surface    surface or not, without lambda
+//   exact_reference  lambda by exact_reference.hpp, without vectors and cells
+//   samples_N        Monte Carlo with N directions a particle
+// Usage: label_speed SNAPSHOT... (files end where the options of Google Benchmark begin)
+#include "medians.hpp"
+
+#include <meniscus/data/neighbor_search.hpp>
+#include <meniscus/data/snapshot_files.hpp>
+#include <meniscus/labeler/exact_labels.hpp>
+#include <meniscus/labeler/exact_reference.hpp>
+#include <meniscus/labeler/labeler.hpp>
+#include <meniscus/runtime/features.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <stdexcept>
+
+namespace meniscus {
+namespace {
+
+void label(benchmark::State& state, const Snapshot& snapshot, LabelMethod method,
+           std::size_t samples, int threads) {
+    LabelOptions options;
+    options.method = method;
+    options.samples = samples;
+    options.threads = threads;
+    for ([[maybe_unused]] auto _ : state)
+        benchmark::DoNotOptimize(label_particles(snapshot, *snapshot.support_radius, options));
+}
+
+/// What label_particles does, up to `decide(displacements / h)` in place of lambda.
+template <class Decide>
+void label_otherwise(benchmark::State& state, const Snapshot& snapshot, Decide&& decide) {
+    const double h = *snapshot.support_radius;
+    const auto range = neighbor_range<double>(h, 0.8);
+    std::vector<Direction> displacements;
+    std::vector<double> offsets(snapshot.size());
+    for ([[maybe_unused]] auto _ : state) {
+        const auto lists = find_neighbors(snapshot.positions, h, {}, 1);
+        const CsrNeighborhood<double, 3> view{snapshot.positions[0].data(), nullptr,
+                                              lists.offsets.data(), lists.neighbors.data()};
+        for (std::size_t i = 0; i < snapshot.size(); ++i) {
+            displacements.clear();
+            FeatureSum<double, 3> sum;
+            view(i, [&](std::size_t, const Direction& x, double mass) {
+                const double square = x[0] * x[0] + x[1] * x[1] + x[2] * x[2];
+                sum.add(x, square, mass, range);
+                if (range.contains(square))
+                    displacements.push_back({x[0] / h, x[1] / h, x[2] / h});
+            });
+            offsets[i] = mass_offset(sum, h);
+            benchmark::DoNotOptimize(decide(displacements));
+        }
+        benchmark::ClobberMemory();
+    }
+}
+
+void exact_surface(benchmark::State& state, const Snapshot& snapshot) {
+    ExactCoverage coverage;
+    label_otherwise(state, snapshot, [&](const std::vector<Direction>& displacements) {
+        coverage.caps.clear();
+        for (const Direction& x : displacements)
+            add_cap<3>(coverage.caps, x, 1, 0.8);
+        return is_exactly_uncovered(3, coverage);
+    });
+}
+
+void exact_reference(benchmark::State& state, const Snapshot& snapshot) {
+    label_otherwise(state, snapshot, [](const std::vector<Direction>& displacements) {
+        return uncovered_fraction_reference(displacements, 0.8);
+    });
+}
+
+void measure(const std::string& file) {
+    const Snapshot snapshot = read_snapshot(file);
+    if (!snapshot.support_radius || snapshot.dimension != 3 || snapshot.size() == 0)
+        throw std::runtime_error(file + " must be in 3D and store its support radius");
+    benchmark::ClearRegisteredBenchmarks();
+    const auto add = [](const std::string& name, auto&& function) {
+        benchmark::RegisterBenchmark(name.c_str(), function)->UseRealTime();
+    };
+    for (const int threads : {1, 2})
+        add("exact/" + std::to_string(threads),
+            [&, threads](auto& state) { label(state, snapshot, LabelMethod::exact, 1, threads); });
+    add("exact_surface", [&](auto& state) { exact_surface(state, snapshot); });
+    add("exact_reference", [&](auto& state) { exact_reference(state, snapshot); });
+    for (const int samples : {1000, 10000, 100000})
+        add("samples_" + std::to_string(samples), [&, samples](auto& state) {
+            label(state, snapshot, LabelMethod::monte_carlo, samples, 1);
+        });
+    MedianReporter reporter;
+    benchmark::RunSpecifiedBenchmarks(&reporter);
+    std::printf("\n%s: %zu particles\n\n", file.c_str(), snapshot.size());
+    print_medians(reporter);
+    std::printf("\n| what | ratio of medians | value |\n|---|---|---|\n");
+    print_ratio(reporter, "surface or not, against 1000 samples", "exact_surface", "samples_1000");
+    print_ratio(reporter, "with lambda, against 10,000 samples", "exact/1", "samples_10000");
+    print_ratio(reporter, "speedup over the plain reference", "exact_reference", "exact/1");
+    print_ratio(reporter, "speedup by a second thread", "exact/1", "exact/2");
+}
+
+} // namespace
+} // namespace meniscus
+
+int main(int argument_count, char** arguments) {
+    try {
+        int files = 0;
+        while (files + 1 < argument_count && arguments[files + 1][0] != '-')
+            ++files;
+        meniscus::initialize_benchmarks(argument_count, arguments, std::max(files, 1),
+                                        "usage: label_speed SNAPSHOT...");
+        for (int f = 1; f <= files; ++f)
+            meniscus::measure(arguments[f]);
+        return 0;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "label_speed: %s\n", error.what());
+        return 1;
+    }
+}
