@@ -43,9 +43,10 @@ void classify_file(const Path& input, const Path& output, const Model& model,
     for (const std::string& warning : classes.warnings)
         print_error_line("warning: " + input.string() + ": " + warning);
     if (!command.quiet)
-        fmt::print("{}: {} particles in {}D, {} taken for surface\n", output.string(),
+        fmt::print("{}: {} particles in {}D, {} taken for surface\n{}", output.string(),
                    snapshot.size(), snapshot.dimension,
-                   std::accumulate(classes.surface.begin(), classes.surface.end(), 0UL));
+                   std::accumulate(classes.surface.begin(), classes.surface.end(), 0UL),
+                   support_radius_note(snapshot));
 }
 
 void run_classify(const ClassifyCommand& command) {

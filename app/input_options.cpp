@@ -69,8 +69,10 @@ Snapshot read_input(const Path& file, const InputOptions& options) {
     if (options.dimension == 2)
         check_is_flat(snapshot.positions);
     snapshot.scene = options.scene.empty() ? scene_of(snapshot, file) : options.scene;
-    if (options.support_radius)
+    if (options.support_radius) {
         snapshot.support_radius = options.support_radius;
+        snapshot.provenance.erase("support_radius_from");
+    }
     if (!snapshot.support_radius)
         snapshot.support_radius = constant_support_radius(snapshot);
     if (!snapshot.support_radius)
@@ -79,6 +81,13 @@ Snapshot read_input(const Path& file, const InputOptions& options) {
                                      file.string()));
     check_positive("the stored support radius", snapshot.support_radius);
     return snapshot;
+}
+
+std::string support_radius_note(const Snapshot& snapshot) {
+    const auto from = snapshot.provenance.find("support_radius_from");
+    if (from == snapshot.provenance.end())
+        return {};
+    return fmt::format("    support radius {} m: {}\n", *snapshot.support_radius, from->second);
 }
 
 } // namespace meniscus

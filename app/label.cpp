@@ -10,27 +10,39 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <functional>
-#include <map>
 #include <memory>
 #include <numeric>
 
 namespace meniscus {
 namespace {
 
+/// Boundary particles from a file of their own.
+struct Boundary {
+    Positions positions; ///< none where no file is given
+    std::string hash;
+};
+
+Boundary read_boundary(const Path& file) {
+    if (file.empty())
+        return {};
+    Snapshot snapshot = read_snapshot(file);
+    // Where the file holds a fluid and a boundary beside it, the boundary is meant.
+    Positions& positions = snapshot.boundary.empty() ? snapshot.positions : snapshot.boundary;
+    if (positions.empty())
+        throw InputError(
+            fmt::format("{}: --boundary expects particles, found none", file.string()));
+    return {std::move(positions), file_hash(file)};
+}
+
 /// Boundary particles as the options want them, and in the provenance where they come from.
-void set_boundary(Snapshot& snapshot, const LabelCommand& command) {
+void set_boundary(Snapshot& snapshot, const Boundary& boundary, bool no_boundary) {
     snapshot.provenance.erase("boundary_hash");
-    if (command.no_boundary)
+    if (no_boundary)
         snapshot.boundary.clear();
-    if (command.boundary.empty())
+    if (boundary.positions.empty())
         return;
-    const Snapshot boundary = read_snapshot(command.boundary);
-    // A file with particles of its own and a boundary beside them: the boundary is meant.
-    snapshot.boundary = boundary.boundary.empty() ? boundary.positions : boundary.boundary;
-    if (snapshot.boundary.empty())
-        throw InputError(fmt::format("{}: --boundary expects a file with particles, found none",
-                                     command.boundary.string()));
-    snapshot.provenance["boundary_hash"] = file_hash(command.boundary);
+    snapshot.boundary = boundary.positions;
+    snapshot.provenance["boundary_hash"] = boundary.hash;
 }
 
 /// True where `output` holds the labels that would be made again.
@@ -53,19 +65,21 @@ void report(const Path& output, const Snapshot& snapshot, const Labels& labels, 
         return;
     const auto surface = std::accumulate(labels.surface.begin(), labels.surface.end(), 0UL);
     const auto valid = std::accumulate(labels.valid.begin(), labels.valid.end(), 0UL);
-    fmt::print("{}: {} particles in {}D, {} surface, mean neighbor count {:.1f}{}{}\n",
+    fmt::print("{}: {} particles in {}D, {} surface, mean neighbor count {:.1f}{}{}\n{}",
                output.string(), snapshot.size(), snapshot.dimension, surface, mean,
                snapshot.boundary.empty()
                    ? ""
                    : fmt::format(", {} boundary particles cover", snapshot.boundary.size()),
                valid == snapshot.size()
                    ? ""
-                   : fmt::format(", {} left out as not finite", snapshot.size() - valid));
+                   : fmt::format(", {} left out as not finite", snapshot.size() - valid),
+               support_radius_note(snapshot));
 }
 
-void label_file(const Path& input, const Path& output, const LabelCommand& command) {
+void label_file(const Path& input, const Path& output, const Boundary& boundary,
+                const LabelCommand& command) {
     Snapshot snapshot = read_input(input, command.input);
-    set_boundary(snapshot, command);
+    set_boundary(snapshot, boundary, command.no_boundary);
     set_label_provenance(snapshot, *snapshot.support_radius, command.label);
     snapshot.provenance["input_hash"] = file_hash(input);
     if (is_up_to_date(output, snapshot)) {
@@ -114,10 +128,11 @@ std::optional<Snapshot> earlier_output(const Path& output, const char* array) {
 
 std::vector<Path> run_label(const LabelCommand& command) {
     auto outputs = output_files(command.files);
+    const Boundary boundary = read_boundary(command.boundary);
     make_writable_folder(command.files.folder);
     for (std::size_t f = 0; f < outputs.size(); ++f)
         naming_file(command.files.inputs[f],
-                    [&] { label_file(command.files.inputs[f], outputs[f], command); });
+                    [&] { label_file(command.files.inputs[f], outputs[f], boundary, command); });
     return outputs;
 }
 
@@ -125,12 +140,15 @@ std::vector<Path> run_label(const LabelCommand& command) {
 /// method ask for Monte Carlo.
 /// What is returned settles that once the command line is read.
 std::function<void()> add_method_options(CLI::App& verb, LabelOptions& options) {
-    const std::map<std::string, LabelMethod> methods = {{"exact", LabelMethod::exact},
-                                                        {"monte-carlo", LabelMethod::monte_carlo}};
-    auto* method = verb.add_option("--method", options.method,
-                                   "How lambda is found: exact or monte-carlo (default: exact, or "
-                                   "monte-carlo where --samples, --scheme or --seed is given)")
-                       ->transform(CLI::CheckedTransformer(methods).description(""));
+    auto* method = verb.add_option_function<std::string>(
+                           "--method",
+                           [&options](const std::string& name) {
+                               options.method =
+                                   name == "exact" ? LabelMethod::exact : LabelMethod::monte_carlo;
+                           },
+                           "How lambda is found (default: exact, or monte-carlo where --samples, "
+                           "--scheme or --seed is given)")
+                       ->check(CLI::IsMember({"exact", "monte-carlo"}));
     std::vector<CLI::Option*> of_directions = {
         verb.add_option("--samples", options.samples, "Monte Carlo: directions tested a particle")
             ->check(CLI::Range(1, 1'000'000'000))
@@ -157,8 +175,8 @@ void add_label(CLI::App& command) {
     auto options = std::make_shared<LabelCommand>();
     auto* verb = command.add_subcommand("label", "Decide which particles of snapshots are surface");
     verb->add_option("INPUT", options->files.inputs,
-                     "Snapshots: the project's own .vtkhdf files "
-                     "or SPlisHSPlasH's legacy .vtk")
+                     "Snapshots, told by their content: the project's own .vtkhdf, legacy .vtk "
+                     "(SPlisHSPlasH, VTK), Partio's .bgeo, PySPH's .hdf5, CSV with named columns")
         ->required();
     verb->add_option("-o,--output", options->files.folder,
                      "Folder for the labelled snapshots, DIR/<stem of INPUT>.vtkhdf")

@@ -26,6 +26,9 @@ void add_input_options(CLI::App& verb, InputOptions& options);
 /// InputError where there is none, or where a number is not positive and finite.
 Snapshot read_input(const Path& file, const InputOptions& options);
 
+/// A line to print where the reader had to choose the support radius; empty elsewhere.
+std::string support_radius_note(const Snapshot& snapshot);
+
 /// What an earlier run left at `output`, told by its point data `array`; nothing where there is no
 /// file. Throws InputError where something else is there: that is not ours to overwrite.
 std::optional<Snapshot> earlier_output(const Path& output, const char* array);

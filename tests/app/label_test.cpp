@@ -165,6 +165,68 @@ TEST_F(Label, NoParticles) {
     EXPECT_EQ(read_vtkhdf(label(save(none, "none.vtkhdf"))).size(), 0U);
 }
 
+TEST_F(Label, MethodsAndTheirOptions) {
+    const Path input = save(block(5), "block.vtkhdf");
+    const Path out = folder / "labelled";
+    const auto method_of = [&](const Words& options) {
+        succeed(Words{"label", input, "-o", out} + options);
+        return read_vtkhdf(out / "block.vtkhdf").provenance;
+    };
+    EXPECT_EQ(method_of({}).at("method"), "exact");
+    EXPECT_EQ(method_of({}).count("samples"), 0U);
+    EXPECT_EQ(method_of({"--method", "exact", "--threads", "1"}).at("method"), "exact");
+    EXPECT_EQ(method_of({"--seed", "3"}).at("method"), "monte-carlo");
+    EXPECT_EQ(method_of({"--scheme", "blue-noise", "--samples", "70"}).at("scheme"), "blue-noise");
+    EXPECT_EQ(method_of({"--method", "monte-carlo"}).at("samples"), "100000");
+    fail(2, {"label", input, "-o", out, "--method", "exact", "--samples", "10"},
+         {"--samples", "monte-carlo"});
+    fail(2, {"label", input, "-o", out, "--method", "guess"}, {"--method", "guess", "exact"});
+}
+
+TEST_F(Label, BoundaryParticlesCover) {
+    const Snapshot fluid = block(6);
+    const Path input = save(fluid, "block.vtkhdf");
+    Snapshot floor; // two layers below the block, as a file of their own
+    for (const auto& position : fluid.positions)
+        for (const double below : {0.25, 0.5})
+            floor.positions.push_back({position[0], position[1], -below * *fluid.support_radius});
+    const Path walls = save(floor, "floor.vtkhdf");
+    const Path out = folder / "labelled";
+    const auto surface_below = [&](const Words& options) {
+        succeed(Words{"label", input, "-o", out, "--quiet"} + options);
+        const Snapshot labelled = read_vtkhdf(out / "block.vtkhdf");
+        const auto surface = scalar_values(labelled, "surface");
+        double count = 0;
+        for (std::size_t i = 0; i < labelled.size(); ++i)
+            count += labelled.positions[i][2] < 0.1 * *fluid.support_radius ? surface[i] : 0;
+        return count;
+    };
+    const double all = surface_below({});
+    EXPECT_GT(all, 20);
+    EXPECT_LT(surface_below({"--boundary", walls}), all);
+    EXPECT_NE(succeed({"label", input, "-o", out, "--boundary", walls}).find("up to date"),
+              std::string::npos);
+    const Snapshot with = read_vtkhdf(out / "block.vtkhdf");
+    EXPECT_EQ(with.boundary, floor.positions);
+    EXPECT_EQ(with.provenance.at("boundary_hash"), file_hash(walls));
+    EXPECT_EQ(with.provenance.at("boundary_particles"), std::to_string(floor.size()));
+    // An input that holds its boundary is labelled with it, unless told otherwise.
+    const Path again = folder / "again";
+    expect_mentions(succeed({"label", out / "block.vtkhdf", "-o", again}),
+                    {"boundary particles cover"});
+    EXPECT_EQ(scalar_values(read_vtkhdf(again / "block.vtkhdf"), "surface"),
+              scalar_values(with, "surface"));
+    succeed({"label", out / "block.vtkhdf", "-o", again, "--no-boundary"});
+    EXPECT_EQ(scalar_values(read_vtkhdf(again / "block.vtkhdf"), "surface"), [&] {
+        surface_below({});
+        return scalar_values(read_vtkhdf(out / "block.vtkhdf"), "surface");
+    }());
+    fail(2, {"label", input, "-o", out, "--boundary", folder / "none.vtk"}, {"none.vtk"});
+    fail(2, {"label", input, "-o", out, "--boundary", save(Snapshot{}, "empty.vtkhdf")},
+         {"empty.vtkhdf", "--boundary"});
+    fail(2, {"label", input, "-o", out, "--boundary", walls, "--no-boundary"}, {"--boundary"});
+}
+
 TEST_F(Label, OneParticleIsAllSurface) {
     Snapshot one;
     one.positions = {{1, 2, 3}};
