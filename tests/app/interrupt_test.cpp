@@ -3,6 +3,7 @@
 #include "command.hpp"
 
 #include <csignal>
+#include <random>
 #include <unistd.h>
 
 namespace meniscus {
@@ -96,10 +97,27 @@ TEST_F(Interrupt, KilledRunsAreCompletedByARerun) {
         finish(process);
         expect_whole(out, undisturbed);
     }
+    // And at random times, each run starting from what the ones before it left.
+    std::mt19937 generator(2020);
+    std::uniform_int_distribution<useconds_t> moment(0, 60'000);
+    for (int kills = 0; kills < 12; ++kills) {
+        if (kills % 4 == 0)
+            std::filesystem::remove_all(out);
+        const pid_t process = start(label_into(out));
+        usleep(moment(generator));
+        kill(process, SIGKILL);
+        finish(process);
+        if (std::filesystem::exists(out))
+            expect_whole(out, undisturbed);
+    }
+    std::filesystem::remove(out / "state_11.vtkhdf");
+    std::filesystem::create_directory(out);
     write("out/state_9.vtkhdf.partial", "half of a file");
     const Outcome rerun = run(label_into(out));
     EXPECT_EQ(rerun.status, 0) << rerun.errors;
-    expect_mentions(rerun.output, {"state_0.vtkhdf: up to date", "state_11.vtkhdf: 512 particles"});
+    expect_mentions(rerun.output, {"state_11.vtkhdf: 512 particles"});
+    expect_mentions(run(label_into(out)).output,
+                    {"state_0.vtkhdf: up to date", "state_11.vtkhdf: up to date"});
     expect_whole(out, undisturbed);
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(out), {}), 12);
 }
