@@ -20,9 +20,12 @@ constexpr std::uint32_t largest_count = std::numeric_limits<std::uint32_t>::max(
 constexpr double smallest_radius = 1e-150;
 constexpr double largest_radius = 1e150;
 
+} // namespace
+
 /// Particles sorted by the bucket that their cell falls into. With few enough cells a bucket is a
 /// cell; otherwise distant cells may share one, which costs a distance test and nothing else.
-struct Grid {
+struct NeighborGrid::Cells {
+    double radius_squared = 0;
     std::array<double, 3> origin{};
     double inverse_cell_size = 0;
     Cell cells{1, 1, 1}; ///< number of cells along each axis
@@ -33,6 +36,10 @@ struct Grid {
     Positions positions;                     ///< sorted
     std::vector<std::int64_t> phase;         ///< sorted, or empty
 };
+
+namespace {
+
+using Grid = NeighborGrid::Cells;
 
 struct SortedRange {
     std::uint32_t begin;
@@ -203,93 +210,105 @@ SearchRanges ranges_around(const Grid& grid, const Cell& cell) {
     return search;
 }
 
-/// Calls found(s) with each sorted place closer than the radius to `center`.
+/// Calls found(s, displacement) with each sorted place closer than the radius to `center`.
 template <class Found>
-void visit_places(const Grid& grid, const std::array<double, 3>& center, double radius_squared,
-                  Found&& found) {
+void visit_places(const Grid& grid, const std::array<double, 3>& center, Found&& found) {
+    if (grid.order.empty())
+        return;
     const SearchRanges search = ranges_around(grid, cell_of(grid, center));
     for (int r = 0; r < search.count; ++r)
         for (std::uint32_t place = search.ranges[r].begin; place < search.ranges[r].end; ++place) {
+            std::array<double, 3> displacement;
             double distance_squared = 0;
             for (int axis = 0; axis < 3; ++axis) {
-                const double difference = grid.positions[place][axis] - center[axis];
-                distance_squared += difference * difference;
+                displacement[axis] = grid.positions[place][axis] - center[axis];
+                distance_squared += displacement[axis] * displacement[axis];
             }
-            if (distance_squared < radius_squared)
-                found(place);
+            if (distance_squared < grid.radius_squared)
+                found(place, displacement);
         }
 }
 
-/// The lists of `count` particles, where walk(k, found) calls found(neighbor) for each neighbor of
-/// the k-th particle to be looked at, and particle(k) is its number. Twice the same walk, first to
-/// count and then to write: the lists are by far the largest thing in memory, and this way they are
-/// there once.
-template <class Particle, class Walk>
-NeighborLists fill_lists(std::size_t count, std::size_t walks, int threads, Particle&& particle,
-                         Walk&& walk) {
-    NeighborLists lists;
-    lists.offsets.assign(count + 1, 0);
-    const auto end = static_cast<std::int64_t>(walks);
-#pragma omp parallel for num_threads(threads) schedule(dynamic, 1024)
-    for (std::int64_t k = 0; k < end; ++k) {
-        std::size_t found = 0;
-        walk(static_cast<std::size_t>(k), [&](std::uint32_t) { ++found; });
-        lists.offsets[particle(static_cast<std::size_t>(k)) + 1] = found;
-    }
-    for (std::size_t i = 0; i < count; ++i)
-        lists.offsets[i + 1] += lists.offsets[i];
-    lists.neighbors.resize(lists.offsets.back());
-#pragma omp parallel for num_threads(threads) schedule(dynamic, 1024)
-    for (std::int64_t k = 0; k < end; ++k) {
-        std::size_t place = lists.offsets[particle(static_cast<std::size_t>(k))];
-        walk(static_cast<std::size_t>(k),
-             [&](std::uint32_t neighbor) { lists.neighbors[place++] = neighbor; });
-    }
-    return lists;
-}
-
-int thread_count(int threads) {
-    return threads > 0 ? threads : omp_get_max_threads();
+/// The same for the neighbors of the particle at a sorted place: without itself, of its phase.
+template <class Found>
+void visit_neighbors(const Grid& grid, std::size_t s, Found&& found) {
+    visit_places(grid, grid.positions[s],
+                 [&](std::uint32_t other, const std::array<double, 3>& displacement) {
+                     if (other != s && (grid.phase.empty() || grid.phase[other] == grid.phase[s]))
+                         found(other, displacement);
+                 });
 }
 
 } // namespace
 
-NeighborLists find_neighbors(const Positions& positions, double radius,
-                             const NeighborFilter& filter, int threads) {
+NeighborGrid::NeighborGrid(const Positions& positions, double radius, const NeighborFilter& filter,
+                           int threads)
+    : cells(std::make_unique<Cells>()) {
     check_input(positions, radius, filter);
-    Grid grid;
-    lay_out(grid, positions, radius, filter);
-    if (!grid.bucket_start.empty())
-        sort_particles(grid, positions, filter, thread_count(threads));
-    // In sorted order, where the neighbors of one particle are those of the next.
-    return fill_lists(
-        positions.size(), grid.order.size(), thread_count(threads),
-        [&](std::size_t s) { return grid.order[s]; },
-        [&](std::size_t s, auto&& found) {
-            visit_places(grid, grid.positions[s], radius * radius, [&](std::uint32_t other) {
-                if (other != s && (grid.phase.empty() || grid.phase[other] == grid.phase[s]))
-                    found(grid.order[other]);
-            });
-        });
+    cells->radius_squared = radius * radius;
+    lay_out(*cells, positions, radius, filter);
+    if (!cells->bucket_start.empty())
+        sort_particles(*cells, positions, filter, threads > 0 ? threads : omp_get_max_threads());
 }
 
-NeighborLists find_neighbors_among(const Positions& others, const Positions& positions,
-                                   double radius, const std::vector<std::uint8_t>& valid,
-                                   int threads) {
-    check_input(others, radius, {});
-    check_input(positions, radius, {&valid});
-    Grid grid;
-    lay_out(grid, others, radius, {});
-    if (!grid.bucket_start.empty())
-        sort_particles(grid, others, {}, thread_count(threads));
-    return fill_lists(
-        positions.size(), grid.order.empty() ? 0 : positions.size(), thread_count(threads),
-        [](std::size_t i) { return i; },
-        [&](std::size_t i, auto&& found) {
-            if (valid[i] != 0)
-                visit_places(grid, positions[i], radius * radius,
-                             [&](std::uint32_t other) { found(grid.order[other]); });
-        });
+NeighborGrid::NeighborGrid(NeighborGrid&&) noexcept = default;
+NeighborGrid& NeighborGrid::operator=(NeighborGrid&&) noexcept = default;
+NeighborGrid::~NeighborGrid() = default;
+
+std::size_t NeighborGrid::size() const {
+    return cells->order.size();
+}
+
+std::uint32_t NeighborGrid::particle(std::size_t place) const {
+    return cells->order[place];
+}
+
+void NeighborGrid::find(std::size_t place, FoundNeighbors& found) const {
+    found.clear();
+    visit_neighbors(*cells, place,
+                    [&](std::uint32_t other, const std::array<double, 3>& displacement) {
+                        found.add(cells->order[other], displacement);
+                    });
+}
+
+void NeighborGrid::find_around(const std::array<double, 3>& center, FoundNeighbors& found) const {
+    found.clear();
+    visit_places(*cells, center,
+                 [&](std::uint32_t other, const std::array<double, 3>& displacement) {
+                     found.add(cells->order[other], displacement);
+                 });
+}
+
+NeighborLists find_neighbors(const Positions& positions, double radius,
+                             const NeighborFilter& filter, int threads) {
+    const NeighborGrid sorted(positions, radius, filter, threads);
+    const Grid& grid = *sorted.cells;
+    NeighborLists lists;
+    lists.offsets.assign(positions.size() + 1, 0);
+    // Twice the same walk, first to count and then to write: the lists are by far the largest
+    // thing in memory, and this way they are there once.
+    const auto count = static_cast<std::int64_t>(grid.order.size());
+    if (threads <= 0)
+        threads = omp_get_max_threads();
+#pragma omp parallel for num_threads(threads) schedule(dynamic, 1024)
+    for (std::int64_t s = 0; s < count; ++s) {
+        std::size_t found = 0;
+        visit_neighbors(grid, static_cast<std::size_t>(s),
+                        [&](std::uint32_t, const std::array<double, 3>&) { ++found; });
+        lists.offsets[grid.order[s] + 1] = found;
+    }
+    for (std::size_t i = 0; i < positions.size(); ++i)
+        lists.offsets[i + 1] += lists.offsets[i];
+    lists.neighbors.resize(lists.offsets.back());
+#pragma omp parallel for num_threads(threads) schedule(dynamic, 1024)
+    for (std::int64_t s = 0; s < count; ++s) {
+        std::size_t place = lists.offsets[grid.order[s]];
+        visit_neighbors(grid, static_cast<std::size_t>(s),
+                        [&](std::uint32_t neighbor, const std::array<double, 3>&) {
+                            lists.neighbors[place++] = grid.order[neighbor];
+                        });
+    }
+    return lists;
 }
 
 } // namespace meniscus

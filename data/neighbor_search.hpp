@@ -7,8 +7,10 @@
 
 #include "snapshot.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace meniscus {
@@ -27,6 +29,57 @@ struct NeighborFilter {
     const std::vector<std::int64_t>* phase = nullptr; ///< pairs of different phase do not count
 };
 
+/// Neighbors of one particle, or of one place. Reused from one to the next.
+struct FoundNeighbors {
+    std::vector<std::uint32_t> particles;
+    std::vector<std::array<double, 3>> displacements; ///< from the particle or place, m
+
+    [[nodiscard]] std::size_t size() const { return particles.size(); }
+
+    void clear() {
+        particles.clear();
+        displacements.clear();
+    }
+    void add(std::uint32_t particle, const std::array<double, 3>& displacement) {
+        particles.push_back(particle);
+        displacements.push_back(displacement);
+    }
+};
+
+/// Particles sorted into cells, for one pass over all neighborhoods without lists. Any number of
+/// threads may ask at a time.
+class NeighborGrid {
+public:
+    /// Throws as find_neighbors does.
+    NeighborGrid(const Positions& positions, double radius, const NeighborFilter& filter = {},
+                 int threads = 0);
+    NeighborGrid(NeighborGrid&&) noexcept;
+    NeighborGrid& operator=(NeighborGrid&&) noexcept;
+    ~NeighborGrid();
+
+    /// Number of valid particles. Each has a place in the sorted order, where neighbors are close
+    /// in memory.
+    [[nodiscard]] std::size_t size() const;
+
+    /// The particle at a place.
+    [[nodiscard]] std::uint32_t particle(std::size_t place) const;
+
+    /// Replaces `found` by the neighbors of the particle at a place, in the order of
+    /// find_neighbors.
+    void find(std::size_t place, FoundNeighbors& found) const;
+
+    /// Replaces `found` by all particles, whatever their phase, closer than the radius to any
+    /// finite position (m).
+    void find_around(const std::array<double, 3>& center, FoundNeighbors& found) const;
+
+    struct Cells;
+
+private:
+    friend NeighborLists find_neighbors(const Positions&, double, const NeighborFilter&, int);
+
+    std::unique_ptr<Cells> cells;
+};
+
 /// The neighbors of each particle at a distance strictly below `radius` (m). `threads` 0 takes all
 /// cores; the result does not depend on it. Throws InputError where radius is not positive and
 /// finite or its square would leave the range of double (below 1e-150, above 1e150), where a valid
@@ -34,12 +87,5 @@ struct NeighborFilter {
 /// extent exceeds what double can resolve against the radius (2^50 radii).
 NeighborLists find_neighbors(const Positions& positions, double radius,
                              const NeighborFilter& filter = {}, int threads = 0);
-
-/// The neighbors among `others` (boundary particles, say) of each particle of `positions`,
-/// likewise: entries of the lists are places in `others`. `valid` has one entry a particle; those
-/// with 0 have no neighbors. Throws as find_neighbors does, for either set.
-NeighborLists find_neighbors_among(const Positions& others, const Positions& positions,
-                                   double radius, const std::vector<std::uint8_t>& valid,
-                                   int threads = 0);
 
 } // namespace meniscus

@@ -16,6 +16,7 @@
 #include <exception>
 #include <numeric>
 #include <omp.h>
+#include <optional>
 
 namespace meniscus {
 namespace {
@@ -38,17 +39,17 @@ struct Work {
     NeighborRange<double> range{};
     double radius_ratio = 0;
     std::vector<std::uint8_t> valid;
-    std::vector<double> masses;          ///< or empty
-    std::vector<std::int64_t> ids;       ///< or empty
-    const Positions* boundary = nullptr; ///< or none
-    NeighborLists lists;
-    NeighborLists boundary_lists; ///< where there is a boundary
+    std::vector<double> masses;    ///< or empty
+    std::vector<std::int64_t> ids; ///< or empty
+    std::optional<NeighborGrid> grid;
+    std::optional<NeighborGrid> boundary; ///< where there is one
     LabelMethod method = LabelMethod::exact;
     DirectionBlocks table; ///< empty where each particle draws its own directions
 };
 
 /// What each thread has of its own.
 struct Workspace {
+    FoundNeighbors found;
     Caps caps;
     ExactCoverage coverage;
     DirectionBlocks own_blocks;
@@ -71,16 +72,16 @@ void check_boundary(const Snapshot& snapshot) {
     }
 }
 
-void find_lists(Work& work, const Snapshot& snapshot, const LabelOptions& options) {
+void sort_particles(Work& work, const Snapshot& snapshot, const LabelOptions& options) {
     const auto phases = integer_values(snapshot, "phase", work.valid);
-    work.lists = find_neighbors(snapshot.positions, work.support_radius,
-                                {&work.valid, phases.empty() ? nullptr : &phases}, options.threads);
+    work.grid.emplace(snapshot.positions, work.support_radius,
+                      NeighborFilter{&work.valid, phases.empty() ? nullptr : &phases},
+                      options.threads);
     if (snapshot.boundary.empty())
         return;
     check_boundary(snapshot);
-    work.boundary = &snapshot.boundary;
-    work.boundary_lists = find_neighbors_among(snapshot.boundary, snapshot.positions,
-                                               work.support_radius, work.valid, options.threads);
+    work.boundary.emplace(snapshot.boundary, work.support_radius, NeighborFilter{},
+                          options.threads);
 }
 
 Work prepare_work(const Snapshot& snapshot, double support_radius, const LabelOptions& options) {
@@ -95,7 +96,7 @@ Work prepare_work(const Snapshot& snapshot, double support_radius, const LabelOp
     work.radius_ratio = options.radius_ratio;
     work.valid = checked_positions(snapshot, options.skip_invalid);
     work.masses = checked_masses(snapshot, work.valid);
-    find_lists(work, snapshot, options);
+    sort_particles(work, snapshot, options);
     if (options.method == LabelMethod::exact)
         return work;
     work.ids = integer_values(snapshot, "id", work.valid);
@@ -112,34 +113,36 @@ double squared(const Direction& x) {
     return x[0] * x[0] + x[1] * x[1] + x[2] * x[2];
 }
 
-/// Gathers the neighbors of particle i: what covers it, and the features.
-void gather_neighbors(const Work& work, const CsrNeighborhood<double, 3>& view, std::size_t i,
-                      Caps& caps, Labels& labels) {
+/// Gathers what covers the particle at a place of the grid, and its features.
+void gather_neighbors(const Work& work, std::size_t place, const Direction& center,
+                      Workspace& workspace, Labels& labels) {
+    Caps& caps = workspace.caps;
+    FoundNeighbors& found = workspace.found;
     caps.radius_ratio = work.radius_ratio;
     caps.displacements.clear();
     const double scale = 1 / work.support_radius;
-    const auto add_coverer = [&](const Direction& displacement) {
-        caps.displacements.push_back(
-            {displacement[0] * scale, displacement[1] * scale, displacement[2] * scale});
+    const auto add_coverer = [&](const Direction& x) {
+        caps.displacements.push_back({x[0] * scale, x[1] * scale, x[2] * scale});
     };
     FeatureSum<double, 3> sum;
-    view(i, [&](std::size_t, const Direction& displacement, double mass) {
+    work.grid->find(place, found);
+    for (std::size_t n = 0; n < found.size(); ++n) {
+        const Direction& displacement = found.displacements[n];
         const double distance_squared = squared(displacement);
+        const double mass = work.masses.empty() ? 1 : work.masses[found.particles[n]];
         sum.add(displacement, distance_squared, mass, work.range);
         if (work.range.contains(distance_squared))
             add_coverer(displacement);
-    });
+    }
+    const std::size_t i = work.grid->particle(place);
     labels.mass_offset[i] = mass_offset(sum, work.support_radius);
     labels.neighbor_count[i] = static_cast<std::uint32_t>(sum.count);
-    if (work.boundary == nullptr)
+    if (!work.boundary)
         return;
-    const double* center = view.positions + 3 * i;
-    for (auto n = work.boundary_lists.offsets[i]; n < work.boundary_lists.offsets[i + 1]; ++n) {
-        const Direction& wall = (*work.boundary)[work.boundary_lists.neighbors[n]];
-        const Direction displacement{wall[0] - center[0], wall[1] - center[1], wall[2] - center[2]};
+    work.boundary->find_around(center, found);
+    for (const Direction& displacement : found.displacements)
         if (work.range.contains(squared(displacement)))
             add_coverer(displacement);
-    }
 }
 
 double exact_fraction(const Work& work, const Caps& caps, ExactCoverage& coverage) {
@@ -166,9 +169,10 @@ double sampled_fraction(const Work& work, std::size_t i, Workspace& workspace) {
     return static_cast<double>(uncovered) / static_cast<double>(work.samples);
 }
 
-void label_particle(const Work& work, const CsrNeighborhood<double, 3>& view, std::size_t i,
+void label_particle(const Work& work, const Snapshot& snapshot, std::size_t place,
                     Workspace& workspace, Labels& labels) {
-    gather_neighbors(work, view, i, workspace.caps, labels);
+    const std::size_t i = work.grid->particle(place);
+    gather_neighbors(work, place, snapshot.positions[i], workspace, labels);
     labels.uncovered_fraction[i] = work.method == LabelMethod::exact
                                        ? exact_fraction(work, workspace.caps, workspace.coverage)
                                        : sampled_fraction(work, i, workspace);
@@ -224,16 +228,11 @@ Labels label_particles(const Snapshot& snapshot, double support_radius,
     labels.valid = work.valid;
     labels.mass_offset.assign(count, 0);
     labels.neighbor_count.assign(count, 0);
-    if (count == 0)
-        return labels;
-    const CsrNeighborhood<double, 3> view{snapshot.positions[0].data(),
-                                          work.masses.empty() ? nullptr : work.masses.data(),
-                                          work.lists.offsets.data(), work.lists.neighbors.data()};
-    for_all_particles(count, options,
+    // In the grid's order, where the neighbors of one particle are those of the next.
+    for_all_particles(work.grid->size(), options,
                       [&](std::size_t begin, std::size_t end, Workspace& workspace) {
-                          for (std::size_t i = begin; i < end; ++i)
-                              if (work.valid[i] != 0)
-                                  label_particle(work, view, i, workspace, labels);
+                          for (std::size_t place = begin; place < end; ++place)
+                              label_particle(work, snapshot, place, workspace, labels);
                       });
     return labels;
 }
