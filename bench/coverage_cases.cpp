@@ -16,16 +16,6 @@
 namespace meniscus {
 namespace {
 
-double exact_uncovered_fraction(const std::vector<Direction>& displacements, int dimension) {
-    ExactCoverage coverage;
-    for (const Direction& x : displacements)
-        if (dimension == 2)
-            add_cap<2>(coverage.caps, x, 1, case_radius_ratio);
-        else
-            add_cap<3>(coverage.caps, x, 1, case_radius_ratio);
-    return exact_uncovered_part(dimension, coverage).fraction;
-}
-
 /// Particle numbers in random order.
 std::vector<std::size_t> shuffled(std::size_t count) {
     std::vector<std::size_t> order(count);
@@ -41,6 +31,7 @@ std::vector<CoverageCase> cases_of(const Positions& positions, double support_ra
     const CsrNeighborhood<double, 3> view{positions[0].data(), nullptr, lists.offsets.data(),
                                           lists.neighbors.data()};
     const auto range = neighbor_range<double>(support_radius, case_radius_ratio);
+    const auto exact = exact_labels();
     std::vector<CoverageCase> cases;
     for (const std::size_t i : shuffled(positions.size())) {
         if (cases.size() == most)
@@ -51,7 +42,8 @@ std::vector<CoverageCase> cases_of(const Positions& positions, double support_ra
                 found.displacements.push_back(
                     {x[0] / support_radius, x[1] / support_radius, x[2] / support_radius});
         });
-        found.uncovered_fraction = exact_uncovered_fraction(found.displacements, dimension);
+        found.uncovered_fraction =
+            exact->uncovered_fraction(dimension, found.displacements, case_radius_ratio);
         if (found.uncovered_fraction > zero_uncovered_fraction)
             cases.push_back(std::move(found));
     }

@@ -22,6 +22,8 @@
 namespace meniscus {
 namespace {
 
+constexpr double radius_ratio = 0.8;
+
 void label(benchmark::State& state, const Snapshot& snapshot, LabelMethod method,
            std::size_t samples, int threads) {
     LabelOptions options;
@@ -32,27 +34,27 @@ void label(benchmark::State& state, const Snapshot& snapshot, LabelMethod method
         benchmark::DoNotOptimize(label_particles(snapshot, *snapshot.support_radius, options));
 }
 
-/// What label_particles does, up to `decide(displacements / h)` in place of lambda.
+/// What label_particles does, with `decide(displacements / h)` in place of lambda.
 template <class Decide>
 void label_otherwise(benchmark::State& state, const Snapshot& snapshot, Decide&& decide) {
     const double h = *snapshot.support_radius;
-    const auto range = neighbor_range<double>(h, 0.8);
+    const auto range = neighbor_range<double>(h, radius_ratio);
+    FoundNeighbors found;
     std::vector<Direction> displacements;
     std::vector<double> offsets(snapshot.size());
     for ([[maybe_unused]] auto _ : state) {
-        const auto lists = find_neighbors(snapshot.positions, h, {}, 1);
-        const CsrNeighborhood<double, 3> view{snapshot.positions[0].data(), nullptr,
-                                              lists.offsets.data(), lists.neighbors.data()};
-        for (std::size_t i = 0; i < snapshot.size(); ++i) {
+        const NeighborGrid grid(snapshot.positions, h, {}, 1);
+        for (std::size_t place = 0; place < grid.size(); ++place) {
+            grid.find(place, found);
             displacements.clear();
             FeatureSum<double, 3> sum;
-            view(i, [&](std::size_t, const Direction& x, double mass) {
-                const double square = x[0] * x[0] + x[1] * x[1] + x[2] * x[2];
-                sum.add(x, square, mass, range);
+            for (const Direction& x : found.displacements) {
+                const double square = squared_length<double, 3>(x);
+                sum.add(x, square, 1, range);
                 if (range.contains(square))
                     displacements.push_back({x[0] / h, x[1] / h, x[2] / h});
-            });
-            offsets[i] = mass_offset(sum, h);
+            }
+            offsets[grid.particle(place)] = mass_offset(sum, h);
             benchmark::DoNotOptimize(decide(displacements));
         }
         benchmark::ClobberMemory();
@@ -60,18 +62,15 @@ void label_otherwise(benchmark::State& state, const Snapshot& snapshot, Decide&&
 }
 
 void exact_surface(benchmark::State& state, const Snapshot& snapshot) {
-    ExactCoverage coverage;
+    const auto exact = exact_labels();
     label_otherwise(state, snapshot, [&](const std::vector<Direction>& displacements) {
-        coverage.caps.clear();
-        for (const Direction& x : displacements)
-            add_cap<3>(coverage.caps, x, 1, 0.8);
-        return is_exactly_uncovered(3, coverage);
+        return exact->is_uncovered(3, displacements, radius_ratio);
     });
 }
 
 void exact_reference(benchmark::State& state, const Snapshot& snapshot) {
     label_otherwise(state, snapshot, [](const std::vector<Direction>& displacements) {
-        return uncovered_fraction_reference(displacements, 0.8);
+        return uncovered_fraction_reference(displacements, radius_ratio);
     });
 }
 

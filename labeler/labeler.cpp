@@ -51,7 +51,7 @@ struct Work {
 struct Workspace {
     FoundNeighbors found;
     Caps caps;
-    ExactCoverage coverage;
+    std::unique_ptr<ExactLabels> exact = exact_labels();
     DirectionBlocks own_blocks;
     std::vector<Direction> own_directions;
 };
@@ -145,14 +145,9 @@ void gather_neighbors(const Work& work, std::size_t place, const Direction& cent
             add_coverer(displacement);
 }
 
-double exact_fraction(const Work& work, const Caps& caps, ExactCoverage& coverage) {
-    coverage.caps.clear();
-    for (const Direction& displacement : caps.displacements)
-        if (work.dimension == 2)
-            add_cap<2>(coverage.caps, displacement, 1, work.radius_ratio);
-        else
-            add_cap<3>(coverage.caps, displacement, 1, work.radius_ratio);
-    const double fraction = exact_uncovered_part(work.dimension, coverage).fraction;
+double exact_fraction(const Work& work, Workspace& workspace) {
+    const double fraction = workspace.exact->uncovered_fraction(
+        work.dimension, workspace.caps.displacements, work.radius_ratio);
     return fraction > zero_uncovered_fraction ? fraction : 0;
 }
 
@@ -174,7 +169,7 @@ void label_particle(const Work& work, const Snapshot& snapshot, std::size_t plac
     const std::size_t i = work.grid->particle(place);
     gather_neighbors(work, place, snapshot.positions[i], workspace, labels);
     labels.uncovered_fraction[i] = work.method == LabelMethod::exact
-                                       ? exact_fraction(work, workspace.caps, workspace.coverage)
+                                       ? exact_fraction(work, workspace)
                                        : sampled_fraction(work, i, workspace);
     labels.surface[i] = labels.uncovered_fraction[i] > zero_uncovered_fraction ? 1 : 0;
 }

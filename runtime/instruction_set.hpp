@@ -4,16 +4,25 @@
 // in an inline namespace named after the set. Users never write that name.
 #pragma once
 
+// A file that compiles only a part of itself for another set, by `#pragma GCC target`, defines both
+// before it includes any of these headers: the pragma does not tell the preprocessor.
+#if !defined(MENISCUS_INSTRUCTION_SET_NAME)
 #if defined(__AVX512F__)
 #define MENISCUS_INSTRUCTION_SET_NAME avx512
+#define MENISCUS_VECTOR_BYTES 64
 #elif defined(__AVX2__)
 #define MENISCUS_INSTRUCTION_SET_NAME avx2
+#define MENISCUS_VECTOR_BYTES 32
 #elif defined(__AVX__)
 #define MENISCUS_INSTRUCTION_SET_NAME avx
+#define MENISCUS_VECTOR_BYTES 32
 #elif defined(__SSE4_1__)
 #define MENISCUS_INSTRUCTION_SET_NAME sse4
+#define MENISCUS_VECTOR_BYTES 16
 #else
 #define MENISCUS_INSTRUCTION_SET_NAME baseline
+#define MENISCUS_VECTOR_BYTES 16
+#endif
 #endif
 
 #if defined(__FAST_MATH__)

@@ -17,13 +17,7 @@
 namespace meniscus {
 inline namespace MENISCUS_INSTRUCTION_SET {
 
-#if defined(__AVX512F__)
-inline constexpr std::size_t wide_count = 8;
-#elif defined(__AVX__)
-inline constexpr std::size_t wide_count = 4;
-#else
-inline constexpr std::size_t wide_count = 2;
-#endif
+inline constexpr std::size_t wide_count = MENISCUS_VECTOR_BYTES / sizeof(double);
 
 using Wide = double __attribute__((vector_size(wide_count * sizeof(double))));
 using WideMask = std::int64_t __attribute__((vector_size(wide_count * sizeof(double))));
@@ -73,9 +67,9 @@ MENISCUS_INLINE Wide absolute(Wide a) {
 }
 
 MENISCUS_INLINE Wide square_root(Wide a) {
-#if defined(__AVX512F__)
+#if MENISCUS_VECTOR_BYTES == 64
     return (Wide)_mm512_maskz_sqrt_pd(0xff, (__m512d)a); // the plain one makes GCC 12 warn
-#elif defined(__AVX__)
+#elif MENISCUS_VECTOR_BYTES == 32
     return (Wide)_mm256_sqrt_pd((__m256d)a);
 #elif defined(__SSE2__)
     return (Wide)_mm_sqrt_pd((__m128d)a);

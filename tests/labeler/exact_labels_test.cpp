@@ -73,22 +73,19 @@ INSTANTIATE_TEST_SUITE_P(Samples, ExactLabels,
 TEST(ExactCoverageOfTheLabeler, EqualsDenseMonteCarlo) {
     constexpr std::size_t samples = 20000;
     std::mt19937_64 generator(7);
+    const auto exact = exact_labels();
     for (const int dimension : {2, 3}) {
         std::vector<Direction> directions(samples);
         fill_halton(dimension, 0, 0, directions);
         const DirectionBlocks blocks = compact_blocks(std::move(directions));
         Caps caps;
-        ExactCoverage coverage;
+        caps.radius_ratio = test_radius_ratio;
         for (int trial = 0; trial < 20000; ++trial) {
             caps.displacements = random_neighborhood(generator, dimension);
-            caps.radius_ratio = test_radius_ratio;
             const double sampled =
                 static_cast<double>(count_uncovered(blocks, caps)) / static_cast<double>(samples);
-            if (dimension == 2)
-                fill_caps<2>(coverage, caps.displacements);
-            else
-                fill_caps<3>(coverage, caps.displacements);
-            const double lambda = exact_uncovered_part(dimension, coverage).fraction;
+            const double lambda =
+                exact->uncovered_fraction(dimension, caps.displacements, test_radius_ratio);
             ASSERT_LT(std::abs(sampled - lambda), 6 * standard_error(lambda, samples))
                 << dimension << "D, trial " << trial;
         }
@@ -97,29 +94,35 @@ TEST(ExactCoverageOfTheLabeler, EqualsDenseMonteCarlo) {
 
 TEST(ExactCoverageOfTheLabeler, EqualsTheReference) {
     std::mt19937_64 generator(9);
-    ExactCoverage coverage;
+    const auto exact = exact_labels();
     for (int trial = 0; trial < 20000; ++trial) {
         const auto neighbors = random_neighborhood(generator, 3);
-        fill_caps<3>(coverage, neighbors);
-        ASSERT_NEAR(exact_uncovered_part(3, coverage).fraction,
+        ASSERT_NEAR(exact->uncovered_fraction(3, neighbors, test_radius_ratio),
                     uncovered_fraction_reference(neighbors, test_radius_ratio), 1e-9)
             << trial;
     }
 }
 
-/// Whatever instruction set is picked at run time, the bits are those of the portable headers.
-TEST(ExactCoverageOfTheLabeler, IsThatOfTheHeadersToTheBit) {
+TEST(ExactCoverageOfTheLabeler, HasTheSameBitsWithEveryInstructionSet) {
     std::mt19937_64 generator(8);
-    ExactCoverage coverage;
-    for (int trial = 0; trial < 5000; ++trial) {
-        const auto neighbors = random_neighborhood(generator, 3);
-        fill_caps<3>(coverage, neighbors);
-        const UncoveredPart dispatched = exact_uncovered_part(3, coverage);
-        const UncoveredPart plain = uncovered_part<3>(test_cells(), coverage);
-        ASSERT_EQ(dispatched.fraction, plain.fraction) << trial;
-        ASSERT_EQ(dispatched.moment, plain.moment) << trial;
-        ASSERT_EQ(is_exactly_uncovered(3, coverage), plain.fraction > zero_uncovered_fraction);
+    const auto baseline = exact_labels_baseline();
+    int compared = 0;
+    for (const auto& other : {exact_labels_avx2(), exact_labels_avx512(), exact_labels()}) {
+        if (other == nullptr)
+            continue;
+        for (int trial = 0; trial < 4000; ++trial) {
+            const int dimension = trial % 2 == 0 ? 3 : 2;
+            const auto neighbors = random_neighborhood(generator, dimension);
+            const double lambda =
+                baseline->uncovered_fraction(dimension, neighbors, test_radius_ratio);
+            ASSERT_EQ(other->uncovered_fraction(dimension, neighbors, test_radius_ratio), lambda)
+                << trial;
+            ASSERT_EQ(other->is_uncovered(dimension, neighbors, test_radius_ratio),
+                      lambda > zero_uncovered_fraction);
+            ++compared;
+        }
     }
+    EXPECT_GE(compared, 4000);
 }
 
 /// A cube of particles on a floor and between walls of boundary particles.

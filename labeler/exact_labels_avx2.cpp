@@ -1,0 +1,44 @@
+#include "exact_labels.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <memory>
+#include <type_traits>
+#include <vector>
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#include <immintrin.h>
+#define MENISCUS_INSTRUCTION_SET_NAME avx2
+#define MENISCUS_VECTOR_BYTES 32
+#pragma GCC push_options
+#pragma GCC target("avx2")
+#include "exact_labels_kernel.hpp"
+
+namespace meniscus {
+namespace {
+
+std::unique_ptr<ExactLabels> make() {
+    return std::unique_ptr<ExactLabels>(new ExactLabelsKernel);
+}
+
+} // namespace
+} // namespace meniscus
+#pragma GCC pop_options
+#define MENISCUS_HAS_KERNEL 1
+#endif
+
+namespace meniscus {
+
+std::unique_ptr<ExactLabels> exact_labels_avx2() {
+#if defined(MENISCUS_HAS_KERNEL)
+    if (__builtin_cpu_supports("avx2"))
+        return make();
+#endif
+    return nullptr;
+}
+
+} // namespace meniscus
