@@ -1,8 +1,8 @@
 #include "snapshot_files.hpp"
 
 #include "errors.hpp"
+#include "hdf5_files.hpp"
 #include "legacy_vtk.hpp"
-#include "vtkhdf.hpp"
 
 #include <openssl/evp.h>
 
@@ -33,7 +33,7 @@ struct Format {
 
 // A new format is one line here.
 constexpr Format formats[] = {
-    {"VTKHDF", is_vtkhdf, read_vtkhdf},
+    {"VTKHDF, PySPH", is_hdf5, read_hdf5},
     {"legacy VTK", is_legacy_vtk, read_legacy_vtk},
 };
 
