@@ -1,5 +1,6 @@
 #include "snapshot_files.hpp"
 
+#include "bgeo.hpp"
 #include "errors.hpp"
 #include "hdf5_files.hpp"
 #include "legacy_vtk.hpp"
@@ -35,6 +36,7 @@ struct Format {
 constexpr Format formats[] = {
     {"VTKHDF, PySPH", is_hdf5, read_hdf5},
     {"legacy VTK", is_legacy_vtk, read_legacy_vtk},
+    {"bgeo", is_bgeo, read_bgeo},
 };
 
 std::string errno_text() {

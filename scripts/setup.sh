@@ -6,7 +6,7 @@ set -euo pipefail
 build_packages=(
     cmake g++ ninja-build
     libcli11-dev libfmt-dev libhdf5-dev libhwy-dev libssl-dev libtorch-dev
-    nlohmann-json3-dev)
+    nlohmann-json3-dev zlib1g-dev)
 test_packages=(libbenchmark-dev libgtest-dev python3-numpy python3-vtk9)
 
 wanted=("${build_packages[@]}")
