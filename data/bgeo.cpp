@@ -284,10 +284,11 @@ void take_points(Source& source, const std::vector<Attribute>& attributes, Snaps
                                        attribute.is_whole ? ArrayValues(std::vector<std::int32_t>())
                                                           : ArrayValues(std::vector<float>())});
     }
-    std::string block(std::max<std::size_t>((std::size_t{1} << 20) / point_bytes, 1) * point_bytes,
-                      '\0');
+    const std::uint64_t at_once =
+        std::min<std::uint64_t>(source.particles, 1 + 65536 / point_bytes);
+    std::string block(at_once * point_bytes, '\0');
     for (std::uint64_t left = source.particles; left > 0;) {
-        const std::size_t count = std::min<std::uint64_t>(left, block.size() / point_bytes);
+        const std::size_t count = std::min(left, at_once);
         take(source, "points", block.data(), count * point_bytes);
         for (std::size_t i = 0; i < count; ++i) {
             const char* stored = block.data() + i * point_bytes;
