@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
 #include <fstream>
@@ -287,8 +288,7 @@ void send_error(Sender& sender, Outcome outcome, const std::string& message) {
     sender.number(end_mark);
 }
 
-/// All that a child does. Never returns: what the parent does at its end is not for the child.
-[[noreturn]] void read_and_send(int pipe, const fs::path& file, Snapshot (*read)(const fs::path&)) {
+void read_and_send(int pipe, const fs::path& file, Snapshot (*read)(const fs::path&)) {
     Sender sender(pipe);
     try {
         Snapshot snapshot = read(file);
@@ -304,7 +304,17 @@ void send_error(Sender& sender, Outcome outcome, const std::string& message) {
     } catch (const std::exception& error) {
         send_error(sender, failed, file.string() + ": " + error.what());
     }
-    _exit(0);
+}
+
+/// All that a child does. It neither returns nor throws: what the parent would do then is not for
+/// the child.
+[[noreturn]] void be_child(int pipe, const fs::path& file, Snapshot (*read)(const fs::path&)) {
+    try {
+        read_and_send(pipe, file, read);
+        _exit(0);
+    } catch (...) {
+        std::abort();
+    }
 }
 
 /// A child that is at work. However this ends, the child ends and is waited for.
@@ -360,7 +370,7 @@ std::pair<int, pid_t> start(const fs::path& file, Snapshot (*read)(const fs::pat
     if (child == 0) {
         close(ends[0]);
         settle_in(parent, limits, most_memory);
-        read_and_send(ends[1], file, read);
+        be_child(ends[1], file, read);
     }
     const int error = errno;
     pthread_sigmask(SIG_SETMASK, &before, nullptr);

@@ -26,6 +26,8 @@ ReadLimits limits_for(std::uint64_t file_bytes);
 /// crashes or exceeds a limit; FailureError where the machine cannot start or finish it. The child
 /// ignores the terminal's signals, prints nothing, leaves no core, and dies with its parent.
 /// Memory is not limited under AddressSanitizer, which reserves more than any limit.
+/// Not to be called while another thread is inside the HDF5 library, whose lock the child would
+/// wait for.
 Snapshot read_isolated(const std::filesystem::path& file,
                        Snapshot (*read)(const std::filesystem::path&), const ReadLimits& limits);
 

@@ -154,7 +154,7 @@ TEST(IsolatedRead, CrashesAreDamage) {
     expect_mentions(input_error([](const fs::path&) -> Snapshot { _exit(0); }),
                     {"some/state.hdf5: damaged", "status 0"});
     expect_mentions(input_error([](const fs::path&) -> Snapshot { throw 1; }),
-                    {"some/state.hdf5: damaged"});
+                    {"some/state.hdf5: damaged", "Aborted"});
 }
 
 int depth(volatile int* above) {
@@ -174,6 +174,7 @@ TEST(IsolatedRead, EndlessWorkIsDamage) {
     expect_mentions(input_error([](const fs::path&) -> Snapshot {
                         for (volatile bool going = true; going;) {
                         }
+                        return {};
                     }),
                     {"some/state.hdf5: damaged", "1 s of processor time"});
 }
@@ -202,6 +203,16 @@ TEST(IsolatedRead, WantOfMemoryThatIsNotTheFilesIsAFailure) {
                             beyond_any_machine);
                     }),
                     {"some/state.hdf5", "not enough memory"});
+}
+
+TEST(IsolatedRead, InterruptsAreTheParentsToAnswer) {
+    const Snapshot found = read_isolated(file, [](const fs::path& given) {
+        for (const int interrupt : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
+            std::raise(interrupt); // as the terminal sends it to parent and child
+        }
+        return everything(given);
+    });
+    EXPECT_EQ(found.size(), 2U);
 }
 
 TEST(IsolatedRead, BeingKilledIsAFailure) {
