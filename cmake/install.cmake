@@ -4,8 +4,8 @@ include(CMakePackageConfigHelpers)
 foreach(folder runtime data labeler)
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}/
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/meniscus/${folder}
-        FILES_MATCHING PATTERN "*.hpp" PATTERN "hdf5_*.hpp" EXCLUDE
-        PATTERN "deflate.hpp" EXCLUDE)
+        FILES_MATCHING PATTERN "*.hpp" PATTERN "hdf5_handles.hpp" EXCLUDE
+        PATTERN "hdf5_source.hpp" EXCLUDE PATTERN "deflate.hpp" EXCLUDE)
 endforeach()
 install(FILES ${PROJECT_BINARY_DIR}/include/meniscus/version.hpp
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/meniscus)
