@@ -213,6 +213,10 @@ void take_type(Source& source, const std::string& section, Attribute& attribute)
     attribute.is_whole = type == integer_type || type == index_type;
     if (type == index_type) {
         const auto texts = take_number<std::uint32_t>(source, section);
+        if (texts > source.stream.most_left() / 2) { // each has a length of two bytes at least
+            fail(source, section, std::to_string(texts) + " texts",
+                 "fewer bytes in the file; it is truncated or damaged, export it again");
+        }
         for (std::uint32_t i = 0; i < texts; ++i) {
             skip(source, section, take_number<std::uint16_t>(source, section));
         }

@@ -34,7 +34,8 @@ std::string named(const std::string& text) {
 enum : std::uint32_t { float_type, integer_type, text_type, index_type = 4, vector_type };
 
 std::string attribute(const std::string& name, std::uint16_t size, std::uint32_t type) {
-    return named(name) + big_endian(size) + big_endian(type) + std::string(4 * size, '\0');
+    return named(name) + big_endian(size) + big_endian(type) +
+           std::string(std::size_t{4} * size, '\0');
 }
 
 std::string index_attribute(const std::string& name, const std::vector<std::string>& texts) {

@@ -354,8 +354,9 @@ TEST(IsolatedRead, TheChildEndsWithItsParent) {
 }
 
 TEST(IsolatedRead, SeveralThreadsMayRead) {
-    std::vector<std::thread> readers;
     std::vector<std::size_t> sizes(8);
+    std::vector<std::thread> readers;
+    readers.reserve(sizes.size());
     for (std::size_t& size : sizes) {
         readers.emplace_back([&] { size = read_isolated(file, everything).size(); });
     }
