@@ -299,8 +299,8 @@ Snapshot pysph_snapshot(const Hdf5Source& source) {
     Snapshot snapshot = read_fluids(source, fluids);
     if (snapshot.positions.empty()) {
         fail(source, "/particles", "fluid particles",
-             fluids.empty() ? "walls alone (" + joined(boundaries) + ")"
-                            : "none in " + joined(fluids));
+             "none in the arrays " + joined(fluids.empty() ? boundaries : fluids) +
+                 (fluids.empty() ? ", which are walls by their names" : ""));
     }
     for (const std::string& boundary : boundaries) {
         const Positions more = read_array(source, boundary, false).positions;

@@ -5,6 +5,8 @@
 #include <meniscus/data/pysph.hpp>
 #include <meniscus/data/snapshot.hpp>
 
+#include <zlib.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -262,9 +264,9 @@ TEST_F(Pysph, ThreeDimensionsAreToldByTheWallsToo) {
 TEST_F(Pysph, FilesWithoutFluidAreRefused) {
     const std::size_t count = read_snapshot(file).size();
     put("fluid/arrays/tag", std::vector<double>(count, 2));
-    expect_mentions(reading_error(), {"state.hdf5", "fluid particles", "none in fluid"});
+    expect_mentions(reading_error(), {"state.hdf5", "fluid particles", "none in the arrays fluid"});
     move("/particles/fluid", "/particles/tank");
-    expect_mentions(reading_error(), {"fluid particles", "walls alone (boundary, tank)"});
+    expect_mentions(reading_error(), {"fluid particles", "boundary, tank, which are walls"});
     remove("/particles/tank");
     remove("/particles/boundary");
     expect_mentions(reading_error(), {"fluid particles"});
@@ -300,6 +302,47 @@ TEST_F(Pysph, SizesThatNoFileHoldsAreRefused) {
         H5Sclose(space);
     });
     expect_mentions(reading_error(), {"/particles/fluid/arrays/x", "1000000000000000000"});
+}
+
+TEST_F(Pysph, WhatCrashesHdf5IsReadOrRefused) {
+    // Found by fuzzing; what version 1.10.8 does is in their names.
+    for (const char* name : {"hdf5_divides_by_zero.hdf5", "hdf5_takes_all_memory.vtkhdf"}) {
+        try {
+            read_snapshot(fs::path(MENISCUS_TEST_SAMPLES) / name);
+        } catch (const InputError& error) {
+            expect_mentions(error.what(), {name});
+        }
+    }
+}
+
+TEST_F(Pysph, ChunksOfLessThanTheirSizeAreRefused) {
+    const std::size_t count = read_snapshot(file).size();
+    for (const bool deflated : {true, false}) {
+        edit([&](hid_t opened) {
+            H5Ldelete(opened, "/particles/fluid/arrays/rho", H5P_DEFAULT);
+            const hsize_t extent = count;
+            const hid_t space = H5Screate_simple(1, &extent, nullptr);
+            const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
+            H5Pset_chunk(creation, 1, &extent);
+            if (deflated) {
+                H5Pset_deflate(creation, 1);
+            }
+            const hid_t dataset =
+                H5Dcreate2(opened, "/particles/fluid/arrays/rho", H5T_NATIVE_DOUBLE, space,
+                           H5P_DEFAULT, creation, H5P_DEFAULT);
+            const std::vector<double> half(count / 2);
+            std::vector<Bytef> bytes(1000);
+            uLongf size = bytes.size();
+            compress(bytes.data(), &size, reinterpret_cast<const Bytef*>(half.data()),
+                     half.size() * sizeof(double));
+            const hsize_t offset = 0;
+            EXPECT_GE(H5Dwrite_chunk(dataset, H5P_DEFAULT, 0, &offset, size, bytes.data()), 0);
+            H5Dclose(dataset);
+            H5Pclose(creation);
+            H5Sclose(space);
+        });
+        expect_mentions(reading_error(), {"/particles/fluid/arrays/rho", "whole chunks"});
+    }
 }
 
 TEST_F(Pysph, TruncatedFilesAreRefused) {
