@@ -6,7 +6,9 @@ foreach(folder runtime data labeler)
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/meniscus/${folder}
         FILES_MATCHING PATTERN "*.hpp" PATTERN "hdf5_handles.hpp" EXCLUDE
         PATTERN "csv_cells.hpp" EXCLUDE
+        PATTERN "deflate.hpp" EXCLUDE
         PATTERN "exact_labels*.hpp" EXCLUDE
+        PATTERN "hdf5_source.hpp" EXCLUDE
         PATTERN "legacy_vtk_numbers.hpp" EXCLUDE)
 endforeach()
 install(FILES ${PROJECT_BINARY_DIR}/include/meniscus/version.hpp

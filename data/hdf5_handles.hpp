@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <exception>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -43,9 +42,7 @@ private:
     herr_t (*close)(hid_t);
 };
 
-/// HDF5 prints its errors to the terminal unless told not to; ours say it in one line. Where an
-/// error leaves here, printing stays off: HDF5 keeps pieces of a damaged file to the end of the
-/// program, and would then print that it cannot let go of them.
+/// HDF5 prints its errors to the terminal unless told not to; ours say it in one line.
 class QuietErrors {
 public:
     QuietErrors() {
@@ -54,16 +51,11 @@ public:
     }
     QuietErrors(const QuietErrors&) = delete;
     QuietErrors& operator=(const QuietErrors&) = delete;
-    ~QuietErrors() {
-        if (std::uncaught_exceptions() == exceptions) {
-            H5Eset_auto2(H5E_DEFAULT, function, data);
-        }
-    }
+    ~QuietErrors() { H5Eset_auto2(H5E_DEFAULT, function, data); }
 
 private:
     H5E_auto2_t function = nullptr;
     void* data = nullptr;
-    int exceptions = std::uncaught_exceptions();
 };
 
 /// The HDF5 type of a C++ number. Files are little endian, as is every machine we build for.

@@ -1,9 +1,10 @@
 #include "snapshot_files.hpp"
 
+#include "bgeo.hpp"
 #include "csv.hpp"
 #include "errors.hpp"
+#include "hdf5_files.hpp"
 #include "legacy_vtk.hpp"
-#include "vtkhdf.hpp"
 
 #include <openssl/evp.h>
 
@@ -34,8 +35,9 @@ struct Format {
 
 // A new format is one line here.
 constexpr Format formats[] = {
-    {"VTKHDF", is_vtkhdf, read_vtkhdf},
+    {"VTKHDF, PySPH", is_hdf5, read_hdf5},
     {"legacy VTK", is_legacy_vtk, read_legacy_vtk},
+    {"bgeo", is_bgeo, read_bgeo},
     {"CSV with columns x, y and z", is_csv, read_csv},
 };
 
