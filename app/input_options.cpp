@@ -3,6 +3,7 @@
 #include <meniscus/data/errors.hpp>
 #include <meniscus/data/snapshot_files.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -18,14 +19,20 @@ void check_positive(const char* option, const std::optional<double>& value) {
 std::optional<double> constant_support_radius(const Snapshot& snapshot) {
     if (find_array(snapshot, "support_radius") == nullptr || snapshot.size() == 0)
         return {};
-    const auto radii = scalar_values(snapshot, "support_radius");
+    auto radii = scalar_values(snapshot, "support_radius");
     for (std::size_t i = 0; i < radii.size(); ++i)
-        if (radii[i] != radii[0])
-            throw InputError(fmt::format("particle {} has support radius {}, particle 0 has {}; "
-                                         "support radii that vary are not supported, give one with "
-                                         "--support-radius",
-                                         i, radii[i], radii[0]));
-    return radii[0];
+        if (!std::isfinite(radii[i]))
+            throw InputError(fmt::format("particle {} has support radius {}", i, radii[i]));
+    const auto [smallest, largest] = std::minmax_element(radii.begin(), radii.end());
+    if (*smallest == *largest)
+        return radii[0];
+    const auto range = fmt::format("{:.4g} to {:.4g} m", *smallest, *largest);
+    const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
+    std::nth_element(radii.begin(), middle, radii.end());
+    throw InputError(
+        fmt::format("its particles have support radii from {}; radii that vary are not "
+                    "supported, give one with --support-radius (their median is {:.4g})",
+                    range, *middle));
 }
 
 /// Two-dimensional states lie in a plane of constant z.

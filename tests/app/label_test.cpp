@@ -266,7 +266,11 @@ TEST_F(Label, SupportRadiusOfEachParticle) {
     radii[17] = 1.25;
     set_array(snapshot, {"support_radius", 1, radii});
     fail(2, {"label", save(snapshot, "varying.vtkhdf"), "-o", folder / "out"},
-         {"varying.vtkhdf", "particle 17", "1.25", "--support-radius"});
+         {"varying.vtkhdf", "1 to 1.25 m", "--support-radius", "median is 1"});
+    radii[3] = nan;
+    set_array(snapshot, {"support_radius", 1, radii});
+    fail(2, {"label", save(snapshot, "nan.vtkhdf"), "-o", folder / "out"},
+         {"nan.vtkhdf", "particle 3", "nan"});
 }
 
 TEST_F(Label, TwoDimensions) {

@@ -70,6 +70,31 @@ std::string stem_of(const testing::TestParamInfo<fs::path>& info) {
 INSTANTIATE_TEST_SUITE_P(Samples, ExactLabels,
                          testing::ValuesIn(files_in(MENISCUS_SAMPLES, ".vtkhdf")), stem_of);
 
+/// Shared states that are not among the samples, with their support radii.
+class ExactLabelsOfShared : public testing::TestWithParam<std::pair<const char*, double>> {};
+
+TEST_P(ExactLabelsOfShared, AgreeWithMonteCarlo) {
+    const auto [name, support_radius] = GetParam();
+    const fs::path file = fs::path(MENISCUS_SHARED_SNAPSHOTS) / name;
+    if (!fs::exists(file))
+        GTEST_SKIP() << "no shared snapshots here";
+    Snapshot snapshot = read_snapshot(file);
+    expect_agreement(snapshot, support_radius);
+    if (!snapshot.boundary.empty()) {
+        snapshot.boundary.clear();
+        expect_agreement(snapshot, support_radius);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(States, ExactLabelsOfShared,
+                         testing::Values(std::pair{"splishsplash/cube_iisph_partio.bgeo", 0.08},
+                                         std::pair{"splishsplash/dam_wcsph_04_with_nan.vtk", 0.08},
+                                         std::pair{"splishsplash/dam_boundary.vtk", 0.08},
+                                         std::pair{"splishsplash/boxhole_boundary.vtk", 0.08},
+                                         std::pair{"pysph/dam_break_2d_04000.hdf5", 0.078},
+                                         std::pair{"pysph/dam_break_2d_08000.hdf5", 0.078},
+                                         std::pair{"pysph/elliptical_drop_00100.hdf5", 0.065}));
+
 TEST(ExactCoverageOfTheLabeler, EqualsDenseMonteCarlo) {
     constexpr std::size_t samples = 20000;
     std::mt19937_64 generator(7);
