@@ -2,7 +2,6 @@
 // snapshot stand side by side, out of reach of each other, so that all sizes have the same share of
 // surface particles. Each size runs in a process of its own, whose peak memory the system tells.
 // Usage: label_scaling SNAPSHOT [--threads N]
-#include <meniscus/data/neighbor_search.hpp>
 #include <meniscus/data/snapshot_files.hpp>
 #include <meniscus/labeler/labeler.hpp>
 
@@ -52,7 +51,7 @@ double peak_bytes() {
 }
 
 /// One row of the table. Times are the best of three runs; memory is what the first run adds to the
-/// peak, less the neighbor lists.
+/// peak, and the positions.
 void measure(const Snapshot& snapshot, std::size_t particles, int threads) {
     const Snapshot all = copies_of(snapshot, particles);
     const double radius = *snapshot.support_radius;
@@ -62,7 +61,6 @@ void measure(const Snapshot& snapshot, std::size_t particles, int threads) {
     options.threads = threads;
     double seconds = 1e300;
     double added = 0;
-    std::size_t neighbors = 0;
     for (int run = 0; run < 3; ++run) {
         const auto begin = Clock::now();
         const Labels labels = label_particles(all, radius, options);
@@ -70,11 +68,9 @@ void measure(const Snapshot& snapshot, std::size_t particles, int threads) {
         if (run == 0)
             added = peak_bytes() - before;
     }
-    neighbors = find_neighbors(all.positions, radius, {}, threads).neighbors.size();
-    const double lists = static_cast<double>(neighbors * sizeof(std::uint32_t));
-    const double own = static_cast<double>(all.positions.size() * sizeof(all.positions[0]));
-    fmt::print("| {} | {:.3f} | {:.0f} | {:.0f} |\n", all.size(), seconds / count * 1e6,
-               (added + own - lists) / count, lists / count);
+    const auto own = static_cast<double>(all.positions.size() * sizeof(all.positions[0]));
+    fmt::print("| {} | {:.3f} | {:.0f} |\n", all.size(), seconds / count * 1e6,
+               (added + own) / count);
 }
 
 void run(int argument_count, char** arguments) {
@@ -84,8 +80,8 @@ void run(int argument_count, char** arguments) {
     const Snapshot snapshot = read_snapshot(arguments[1]);
     if (!snapshot.support_radius || snapshot.size() == 0)
         throw std::runtime_error("the snapshot must store its support radius");
-    fmt::print("| particles | microseconds a particle, {} thread{} | bytes a particle, positions "
-               "included | neighbor lists, bytes a particle |\n|---|---|---|---|\n",
+    fmt::print("| particles | microseconds a particle, {} thread{} | bytes a particle |\n"
+               "|---|---|---|\n",
                threads, threads == 1 ? "" : "s");
     for (const std::size_t particles : {100'000, 1'000'000, 10'000'000}) {
         std::fflush(stdout);

@@ -35,6 +35,9 @@ if wanted accuracy; then
 fi
 if wanted speed; then
     "$bin/speed" data/samples/dam_dfsph_14.vtkhdf 2>/dev/null | replace docs/speed.md speed
+    "$bin/label_speed" data/samples/{dam_dfsph_14,crown_dfsph_15,droplet_iisph_14}.vtkhdf 2>/dev/null |
+        replace docs/speed.md label-speed
+    "$bin/label_scaling" data/samples/dam_dfsph_14.vtkhdf | replace docs/speed.md label-scaling
     "$bin/training_time" "$work"/labelled/*.vtkhdf | replace docs/speed.md training-time
 fi
 if wanted sampling; then
