@@ -163,6 +163,44 @@ Snapshot basin(int side) {
     return snapshot;
 }
 
+/// The first frame of many scenes: h is exactly two (or two and a half) spacings, and wherever the
+/// lattice stands, in float or in double, the same neighbors count and the same particles are
+/// surface.
+TEST(Lattices, LabelsDoNotDependOnWhereTheyStand) {
+    std::mt19937_64 generator(12);
+    std::uniform_real_distribution<double> offset(-5, 5);
+    constexpr int side = 7;
+    for (const double spacings : {2.0, 2.5}) {
+        constexpr double h = 0.08;
+        Snapshot lattice;
+        for (int n = 0; n < side * side * side; ++n)
+            lattice.positions.push_back({(n % side) * h / spacings,
+                                         (n / side % side) * h / spacings,
+                                         (n / side / side) * h / spacings});
+        const Labels still = label_particles(lattice, h, LabelOptions{});
+        const std::size_t inside = side * side * side / 2;
+        EXPECT_EQ(still.neighbor_count[inside], spacings == 2 ? 26U : 80U);
+        EXPECT_EQ(still.uncovered_fraction[inside], 0);
+        for (int trial = 0; trial < 40; ++trial) {
+            Snapshot moved = lattice;
+            const Direction by{offset(generator), offset(generator), offset(generator)};
+            for (auto& position : moved.positions)
+                for (int axis = 0; axis < 3; ++axis) {
+                    position[axis] += by[axis];
+                    if (trial % 2 == 0)
+                        position[axis] = static_cast<float>(position[axis]);
+                }
+            const Labels labels = label_particles(moved, h, LabelOptions{});
+            ASSERT_EQ(labels.neighbor_count, still.neighbor_count) << trial;
+            ASSERT_EQ(labels.surface, still.surface) << trial;
+            for (std::size_t i = 0; i < moved.size(); ++i)
+                ASSERT_NEAR(labels.uncovered_fraction[i], still.uncovered_fraction[i],
+                            trial % 2 == 0 ? 1e-4 : 1e-9)
+                    << trial;
+        }
+    }
+}
+
 TEST(Boundary, ParticlesAtAWallAreNotAtTheSurface) {
     for (const LabelMethod method : {LabelMethod::exact, LabelMethod::monte_carlo}) {
         Snapshot snapshot = basin(6);
