@@ -210,6 +210,10 @@ SearchRanges ranges_around(const Grid& grid, const Cell& cell) {
     return search;
 }
 
+int thread_count(int threads) {
+    return threads > 0 ? threads : omp_get_max_threads();
+}
+
 /// Calls found(s, displacement) with each sorted place closer than the radius to `center`.
 template <class Found>
 void visit_places(const Grid& grid, const std::array<double, 3>& center, Found&& found) {
@@ -248,7 +252,7 @@ NeighborGrid::NeighborGrid(const Positions& positions, double radius, const Neig
     cells->radius_squared = radius * radius;
     lay_out(*cells, positions, radius, filter);
     if (!cells->bucket_start.empty())
-        sort_particles(*cells, positions, filter, threads > 0 ? threads : omp_get_max_threads());
+        sort_particles(*cells, positions, filter, thread_count(threads));
 }
 
 NeighborGrid::NeighborGrid(NeighborGrid&&) noexcept = default;
@@ -288,9 +292,7 @@ NeighborLists find_neighbors(const Positions& positions, double radius,
     // Twice the same walk, first to count and then to write: the lists are by far the largest
     // thing in memory, and this way they are there once.
     const auto count = static_cast<std::int64_t>(grid.order.size());
-    if (threads <= 0)
-        threads = omp_get_max_threads();
-#pragma omp parallel for num_threads(threads) schedule(dynamic, 1024)
+#pragma omp parallel for num_threads(thread_count(threads)) schedule(dynamic, 1024)
     for (std::int64_t s = 0; s < count; ++s) {
         std::size_t found = 0;
         visit_neighbors(grid, static_cast<std::size_t>(s),
@@ -300,7 +302,7 @@ NeighborLists find_neighbors(const Positions& positions, double radius,
     for (std::size_t i = 0; i < positions.size(); ++i)
         lists.offsets[i + 1] += lists.offsets[i];
     lists.neighbors.resize(lists.offsets.back());
-#pragma omp parallel for num_threads(threads) schedule(dynamic, 1024)
+#pragma omp parallel for num_threads(thread_count(threads)) schedule(dynamic, 1024)
     for (std::int64_t s = 0; s < count; ++s) {
         std::size_t place = lists.offsets[grid.order[s]];
         visit_neighbors(grid, static_cast<std::size_t>(s),

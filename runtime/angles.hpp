@@ -17,7 +17,7 @@ inline constexpr double pi = 3.14159265358979323846;
 inline double arctangent_to_one(double z) {
     constexpr double of_quarters[] = {0, 0.24497866312686415417, 0.46364760900080611621,
                                       0.64350110879328438680, 0.78539816339744830962};
-    const int quarter = static_cast<int>(z * 4 + 0.5);
+    const int quarter = static_cast<int>(z * 4 + 0.5); // NOLINT: rounds well, z is not negative
     const double nearest = quarter * 0.25;
     const double rest = (z - nearest) / (1 + z * nearest);
     const double square = rest * rest;

@@ -35,7 +35,8 @@ auto bits_of(Real value) {
     return bits;
 }
 
-/// True for positive numbers but infinity; by bits, so that it holds for NaN even under -ffast-math.
+/// True for positive numbers but infinity; by bits, so that it holds for NaN even under
+/// -ffast-math.
 template <class Real>
 bool is_positive_and_finite(Real value) {
     using Limits = std::numeric_limits<Real>;

@@ -173,10 +173,11 @@ TEST(Lattices, LabelsDoNotDependOnWhereTheyStand) {
     for (const double spacings : {2.0, 2.5}) {
         constexpr double h = 0.08;
         Snapshot lattice;
-        for (int n = 0; n < side * side * side; ++n)
-            lattice.positions.push_back({(n % side) * h / spacings,
-                                         (n / side % side) * h / spacings,
-                                         (n / side / side) * h / spacings});
+        for (int x = 0; x < side; ++x)
+            for (int y = 0; y < side; ++y)
+                for (int z = 0; z < side; ++z)
+                    lattice.positions.push_back(
+                        {x * h / spacings, y * h / spacings, z * h / spacings});
         const Labels still = label_particles(lattice, h, LabelOptions{});
         const std::size_t inside = side * side * side / 2;
         EXPECT_EQ(still.neighbor_count[inside], spacings == 2 ? 26U : 80U);
