@@ -20,14 +20,17 @@ struct ClassifyCommand {
     InputsAndFolder files;
     InputOptions input;
     Path model;
+    Path boundary; ///< file of boundary particles; empty: those of the input itself
     bool skip_invalid = false;
     int threads = 0;
     bool quiet = false;
 };
 
 void classify_file(const Path& input, const Path& output, const Model& model,
-                   const std::string& model_hash, const ClassifyCommand& command) {
+                   const std::string& model_hash, const Boundary& boundary,
+                   const ClassifyCommand& command) {
     Snapshot snapshot = read_input(input, command.input);
+    set_boundary(snapshot, boundary);
     earlier_output(output, "predicted_surface");
     const Classes classes =
         classify_snapshot(snapshot, model, {command.skip_invalid, command.threads});
@@ -53,10 +56,12 @@ void run_classify(const ClassifyCommand& command) {
     const Model model = read_model(command.model);
     const std::string model_hash = file_hash(command.model);
     const auto outputs = output_files(command.files);
+    const Boundary boundary = read_boundary(command.boundary);
     make_writable_folder(command.files.folder);
     for (std::size_t f = 0; f < outputs.size(); ++f)
         naming_file(command.files.inputs[f], [&] {
-            classify_file(command.files.inputs[f], outputs[f], model, model_hash, command);
+            classify_file(command.files.inputs[f], outputs[f], model, model_hash, boundary,
+                          command);
         });
 }
 
@@ -72,6 +77,9 @@ void add_classify(CLI::App& command) {
                      "Folder for the classified snapshots, DIR/<stem of INPUT>.vtkhdf")
         ->required();
     add_input_options(*verb, options->input);
+    verb->add_option("--boundary", options->boundary,
+                     "File with the boundary particles for all inputs, where the model counts them "
+                     "(default: those that an input holds itself)");
     verb->add_flag("--skip-invalid", options->skip_invalid,
                    "Leave particles whose position is not finite out, with valid = 0");
     add_threads_option(*verb, options->threads);

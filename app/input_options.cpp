@@ -90,6 +90,25 @@ Snapshot read_input(const Path& file, const InputOptions& options) {
     return snapshot;
 }
 
+Boundary read_boundary(const Path& file) {
+    if (file.empty())
+        return {};
+    Snapshot snapshot = read_snapshot(file);
+    Positions& positions = snapshot.boundary.empty() ? snapshot.positions : snapshot.boundary;
+    if (positions.empty())
+        throw InputError(
+            fmt::format("{}: --boundary expects particles, found none", file.string()));
+    return {std::move(positions), file_hash(file)};
+}
+
+void set_boundary(Snapshot& snapshot, const Boundary& boundary) {
+    snapshot.provenance.erase("boundary_hash");
+    if (boundary.positions.empty())
+        return;
+    snapshot.boundary = boundary.positions;
+    snapshot.provenance["boundary_hash"] = boundary.hash;
+}
+
 std::string support_radius_note(const Snapshot& snapshot) {
     const auto from = snapshot.provenance.find("support_radius_from");
     if (from == snapshot.provenance.end())

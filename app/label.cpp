@@ -16,35 +16,6 @@
 namespace meniscus {
 namespace {
 
-/// Boundary particles from a file of their own.
-struct Boundary {
-    Positions positions; ///< none where no file is given
-    std::string hash;
-};
-
-Boundary read_boundary(const Path& file) {
-    if (file.empty())
-        return {};
-    Snapshot snapshot = read_snapshot(file);
-    // Where the file holds a fluid and a boundary beside it, the boundary is meant.
-    Positions& positions = snapshot.boundary.empty() ? snapshot.positions : snapshot.boundary;
-    if (positions.empty())
-        throw InputError(
-            fmt::format("{}: --boundary expects particles, found none", file.string()));
-    return {std::move(positions), file_hash(file)};
-}
-
-/// Boundary particles as the options want them, and in the provenance where they come from.
-void set_boundary(Snapshot& snapshot, const Boundary& boundary, bool no_boundary) {
-    snapshot.provenance.erase("boundary_hash");
-    if (no_boundary)
-        snapshot.boundary.clear();
-    if (boundary.positions.empty())
-        return;
-    snapshot.boundary = boundary.positions;
-    snapshot.provenance["boundary_hash"] = boundary.hash;
-}
-
 /// True where `output` holds the labels that would be made again.
 bool is_up_to_date(const Path& output, const Snapshot& input) {
     const auto existing = earlier_output(output, "uncovered_fraction");
@@ -53,7 +24,8 @@ bool is_up_to_date(const Path& output, const Snapshot& input) {
            existing->provenance == input.provenance;
 }
 
-void report(const Path& output, const Snapshot& snapshot, const Labels& labels, bool quiet) {
+void report(const Path& output, const Snapshot& snapshot, const Labels& labels,
+            bool boundary_counts, bool quiet) {
     const double mean = mean_neighbor_count(labels);
     const auto [lowest, highest] = plausible_neighbor_counts(snapshot.dimension);
     if (snapshot.size() > 0 && (mean < lowest || mean > highest))
@@ -69,7 +41,8 @@ void report(const Path& output, const Snapshot& snapshot, const Labels& labels, 
                output.string(), snapshot.size(), snapshot.dimension, surface, mean,
                snapshot.boundary.empty()
                    ? ""
-                   : fmt::format(", {} boundary particles cover", snapshot.boundary.size()),
+                   : fmt::format(", {} boundary particles cover{}", snapshot.boundary.size(),
+                                 boundary_counts ? " and count" : ""),
                valid == snapshot.size()
                    ? ""
                    : fmt::format(", {} left out as not finite", snapshot.size() - valid),
@@ -79,7 +52,9 @@ void report(const Path& output, const Snapshot& snapshot, const Labels& labels, 
 void label_file(const Path& input, const Path& output, const Boundary& boundary,
                 const LabelCommand& command) {
     Snapshot snapshot = read_input(input, command.input);
-    set_boundary(snapshot, boundary, command.no_boundary);
+    if (command.no_boundary)
+        snapshot.boundary.clear();
+    set_boundary(snapshot, boundary);
     set_label_provenance(snapshot, *snapshot.support_radius, command.label);
     snapshot.provenance["input_hash"] = file_hash(input);
     if (is_up_to_date(output, snapshot)) {
@@ -98,7 +73,7 @@ void label_file(const Path& input, const Path& output, const Boundary& boundary,
         const WriteGuard guard;
         write_vtkhdf(snapshot, output);
     }
-    report(output, snapshot, labels, command.quiet);
+    report(output, snapshot, labels, command.label.boundary_counts, command.quiet);
 }
 
 /// Refuses what no sampling scheme is called.
@@ -193,6 +168,10 @@ void add_label(CLI::App& command) {
     verb->add_flag("--no-boundary", options->no_boundary,
                    "Boundary particles that an input holds do not cover")
         ->excludes(boundary);
+    verb->add_flag("--boundary-counts", options->label.boundary_counts,
+                   "Boundary particles count in the features too, each with the mean mass of the "
+                   "fluid particles: for a solver whose own sums include them (default: they only "
+                   "cover)");
     verb->add_flag("--skip-invalid", options->label.skip_invalid,
                    "Leave particles whose position is not finite out, with valid = 0");
     add_threads_option(*verb, options->label.threads);

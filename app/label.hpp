@@ -26,6 +26,20 @@ void add_input_options(CLI::App& verb, InputOptions& options);
 /// InputError where there is none, or where a number is not positive and finite.
 Snapshot read_input(const Path& file, const InputOptions& options);
 
+/// Boundary particles from a file of their own.
+struct Boundary {
+    Positions positions; ///< none where no file is given
+    std::string hash;    ///< SHA-256 of the file
+};
+
+/// Reads the boundary of all inputs; none where `file` is empty. Where the file holds a fluid and a
+/// boundary beside it, the boundary is meant. Throws InputError where there is no particle.
+Boundary read_boundary(const Path& file);
+
+/// Replaces the snapshot's boundary by one that is not empty, and says in the provenance where it
+/// comes from.
+void set_boundary(Snapshot& snapshot, const Boundary& boundary);
+
 /// A line to print where the reader had to choose the support radius; empty elsewhere.
 std::string support_radius_note(const Snapshot& snapshot);
 

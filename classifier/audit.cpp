@@ -131,9 +131,11 @@ AuditRow audit_state(const Model& model, const Snapshot& snapshot, const Labelle
     check_label_threshold(label_threshold);
     check_dimension(model, state.dimension, state.file);
     check_radius_ratio(model, state.radius_ratio, state.file);
+    check_boundary_rule(model, state.boundary_counts, state.file);
     const auto valid = valid_particles(snapshot, state.file);
     const auto neighborhoods = naming_file(state.file, [&] {
-        return find_neighborhoods(snapshot, state.support_radius, valid, threads);
+        return find_neighborhoods(snapshot, state.support_radius, valid, state.boundary_counts,
+                                  threads);
     });
     const auto in_double = predict(model, snapshot, neighborhoods, Precision::float64);
     const auto in_float = predict(model, snapshot, neighborhoods, Precision::float32);

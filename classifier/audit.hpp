@@ -81,7 +81,8 @@ struct AuditReport {
 };
 
 /// Audits one labelled snapshot, as one row. Throws InputError, naming the file, where the model is
-/// of another dimension or radius ratio, or where arrays of the snapshot cannot be used.
+/// of another dimension, radius ratio or boundary rule, or where arrays of the snapshot cannot be
+/// used.
 AuditRow audit_state(const Model& model, const Snapshot& snapshot, const LabelledState& state,
                      double label_threshold, int threads = 0);
 

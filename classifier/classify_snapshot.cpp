@@ -27,35 +27,94 @@ SurfaceLine<Real> line_for(const Model& model, const std::vector<std::uint32_t>&
                              model.reference_neighbor_count);
 }
 
-template <class Real, int Dimension>
-Predictions predict_as(const Model& model, const Positions& positions,
-                       const Neighborhoods& neighborhoods) {
+/// Three values a particle.
+template <class Real>
+std::vector<Real> coordinates_of(const Positions& positions) {
     std::vector<Real> coordinates(positions.size() * 3);
     for (std::size_t i = 0; i < coordinates.size(); ++i)
         coordinates[i] = static_cast<Real>(positions[i / 3][i % 3]);
-    const std::vector<Real> masses(neighborhoods.masses.begin(), neighborhoods.masses.end());
-    const CsrNeighborhood<Real, Dimension, 3> view{
-        coordinates.data(), masses.empty() ? nullptr : masses.data(),
-        neighborhoods.lists.offsets.data(), neighborhoods.lists.neighbors.data()};
+    return coordinates;
+}
+
+/// The view of a host with two point sets: the neighbors in the fluid, then those in the boundary.
+template <class Real, int Dimension>
+struct FluidAndBoundary {
+    CsrNeighborhood<Real, Dimension, 3> fluid;
+    const Real* boundary;       ///< coordinates, as those of the fluid
+    const NeighborLists& lists; ///< boundary neighbors of the fluid particles
+    Real boundary_mass;
+
+    template <class Visit>
+    void operator()(std::size_t i, Visit&& visit) const {
+        fluid(i, visit);
+        const Real* center = fluid.positions + 3 * i;
+        for (std::size_t n = lists.offsets[i]; n < lists.offsets[i + 1]; ++n) {
+            const Real* position = boundary + std::size_t{3} * lists.neighbors[n];
+            std::array<Real, Dimension> displacement;
+            for (int axis = 0; axis < Dimension; ++axis)
+                displacement[axis] = position[axis] - center[axis];
+            visit(lists.neighbors[n], displacement, boundary_mass);
+        }
+    }
+};
+
+template <class Real, int Dimension, class View>
+Predictions predict_over(const View& view, const Model& model, const Neighborhoods& neighborhoods) {
     const auto range = neighbor_range<Real>(neighborhoods.support_radius, model.radius_ratio);
     const auto support_radius = static_cast<Real>(neighborhoods.support_radius);
+    const std::size_t count = neighborhoods.valid.size();
     Predictions predictions;
-    predictions.surface.resize(positions.size());
-    predictions.neighbor_count.resize(positions.size());
-    for (std::size_t i = 0; i < positions.size(); ++i)
+    predictions.surface.resize(count);
+    predictions.neighbor_count.resize(count);
+    for (std::size_t i = 0; i < count; ++i)
         predictions.neighbor_count[i] =
             static_cast<std::uint32_t>(sum_features<Real, Dimension>(view, i, range).count);
     const auto line = line_for<Real>(model, predictions.neighbor_count, neighborhoods.valid);
-    classify<Real, Dimension>(view, 0, positions.size(), support_radius, line, range,
+    classify<Real, Dimension>(view, 0, count, support_radius, line, range,
                               predictions.surface.data());
     return predictions;
+}
+
+template <class Real, int Dimension>
+Predictions predict_as(const Model& model, const Snapshot& snapshot,
+                       const Neighborhoods& neighborhoods) {
+    const auto coordinates = coordinates_of<Real>(snapshot.positions);
+    const std::vector<Real> masses(neighborhoods.masses.begin(), neighborhoods.masses.end());
+    const CsrNeighborhood<Real, Dimension, 3> fluid{
+        coordinates.data(), masses.empty() ? nullptr : masses.data(),
+        neighborhoods.lists.offsets.data(), neighborhoods.lists.neighbors.data()};
+    if (neighborhoods.boundary_lists.offsets.empty())
+        return predict_over<Real, Dimension>(fluid, model, neighborhoods);
+    const auto boundary = coordinates_of<Real>(snapshot.boundary);
+    const FluidAndBoundary<Real, Dimension> both{fluid, boundary.data(),
+                                                 neighborhoods.boundary_lists,
+                                                 static_cast<Real>(neighborhoods.boundary_mass)};
+    return predict_over<Real, Dimension>(both, model, neighborhoods);
 }
 
 template <class Real>
 Predictions predict_as(const Model& model, const Snapshot& snapshot,
                        const Neighborhoods& neighborhoods) {
-    return snapshot.dimension == 2 ? predict_as<Real, 2>(model, snapshot.positions, neighborhoods)
-                                   : predict_as<Real, 3>(model, snapshot.positions, neighborhoods);
+    return snapshot.dimension == 2 ? predict_as<Real, 2>(model, snapshot, neighborhoods)
+                                   : predict_as<Real, 3>(model, snapshot, neighborhoods);
+}
+
+/// The boundary particles around each valid particle, in compressed rows.
+NeighborLists find_boundary(const Snapshot& snapshot, double support_radius,
+                            const std::vector<std::uint8_t>& valid, int threads) {
+    check_boundary(snapshot);
+    const NeighborGrid grid(snapshot.boundary, support_radius, {}, threads);
+    NeighborLists lists{{0}, {}};
+    FoundNeighbors found;
+    for (std::size_t i = 0; i < snapshot.size(); ++i) {
+        found.clear();
+        if (valid[i] != 0)
+            grid.find_around(snapshot.positions[i], found);
+        lists.neighbors.insert(lists.neighbors.end(), found.particles.begin(),
+                               found.particles.end());
+        lists.offsets.push_back(lists.neighbors.size());
+    }
+    return lists;
 }
 
 /// Typical neighbor count of the particles taken for interior ones.
@@ -72,7 +131,8 @@ std::optional<double> interior_neighbor_count(const Classes& classes) {
 } // namespace
 
 Neighborhoods find_neighborhoods(const Snapshot& snapshot, double support_radius,
-                                 const std::vector<std::uint8_t>& valid, int threads) {
+                                 const std::vector<std::uint8_t>& valid, bool boundary_counts,
+                                 int threads) {
     const auto phases = integer_values(snapshot, "phase", valid);
     Neighborhoods result;
     result.masses = checked_masses(snapshot, valid);
@@ -80,6 +140,10 @@ Neighborhoods find_neighborhoods(const Snapshot& snapshot, double support_radius
     result.valid = valid;
     result.lists = find_neighbors(snapshot.positions, support_radius,
                                   {&valid, phases.empty() ? nullptr : &phases}, threads);
+    if (boundary_counts && !snapshot.boundary.empty()) {
+        result.boundary_lists = find_boundary(snapshot, support_radius, valid, threads);
+        result.boundary_mass = mean_mass(result.masses, valid);
+    }
     return result;
 }
 
@@ -96,15 +160,18 @@ Classes classify_snapshot(const Snapshot& snapshot, const Model& model,
         throw InputError("no support radius is stored; give --support-radius");
     Classes classes;
     classes.valid = checked_positions(snapshot, options.skip_invalid);
-    auto predictions = predict(
-        model, snapshot,
-        find_neighborhoods(snapshot, *snapshot.support_radius, classes.valid, options.threads),
-        Precision::float64);
+    auto predictions = predict(model, snapshot,
+                               find_neighborhoods(snapshot, *snapshot.support_radius, classes.valid,
+                                                  model.boundary_counts, options.threads),
+                               Precision::float64);
     classes.surface = std::move(predictions.surface);
     classes.neighbor_count = std::move(predictions.neighbor_count);
     for (std::size_t i = 0; i < classes.surface.size(); ++i)
         if (classes.valid[i] == 0)
             classes.surface[i] = 0;
+    if (model.boundary_counts && snapshot.boundary.empty())
+        classes.warnings.emplace_back(
+            "the model counts boundary particles and there are none; give them with --boundary");
     ModelUse use{"", {}, interior_neighbor_count(classes)};
     if (snapshot.particle_spacing)
         use.spacing_ratio = *snapshot.support_radius / *snapshot.particle_spacing;

@@ -16,17 +16,21 @@ namespace meniscus {
 /// What features are summed over.
 struct Neighborhoods {
     NeighborLists lists;
-    std::vector<double> masses; ///< kg, one a particle; empty where all are equal
-    double support_radius = 0;  ///< h in m
+    NeighborLists boundary_lists; ///< indices of boundary particles; empty where none counts
+    std::vector<double> masses;   ///< kg, one a particle; empty where all are equal
+    double boundary_mass = 1;     ///< kg, of each boundary particle; mean_mass of the fluid
+    double support_radius = 0;    ///< h in m
     std::vector<std::uint8_t> valid;
 };
 
 /// The neighborhoods of the particles whose `valid` is not 0: a `phase` array keeps phases apart, a
-/// `mass` array weights the features. `threads` 0 takes all cores. Throws InputError where such an
+/// `mass` array weights the features. With `boundary_counts` the snapshot's boundary particles are
+/// neighbors too, whatever the phase. `threads` 0 takes all cores. Throws InputError where such an
 /// array cannot be used, where the mass of a valid particle is not positive, or where the neighbor
-/// search refuses.
+/// search refuses; likewise for a boundary that counts.
 Neighborhoods find_neighborhoods(const Snapshot& snapshot, double support_radius,
-                                 const std::vector<std::uint8_t>& valid, int threads);
+                                 const std::vector<std::uint8_t>& valid, bool boundary_counts,
+                                 int threads);
 
 /// One entry a particle, in the snapshot's order.
 struct Predictions {
@@ -52,7 +56,8 @@ struct Classes {
     std::vector<std::string> warnings;         ///< one line each, for standard error
 };
 
-/// Classifies a snapshot in double. Throws InputError where it has no support radius, where the
+/// Classifies a snapshot in double. Its boundary particles count where the model says that they do;
+/// it warns where there are none then. Throws InputError where it has no support radius, where the
 /// model is of another dimension, where positions are not finite (how many, and the first index)
 /// unless skip_invalid, and as find_neighborhoods does.
 Classes classify_snapshot(const Snapshot& snapshot, const Model& model,

@@ -1,5 +1,6 @@
 #include "header_export.hpp"
 
+#include <meniscus/data/boundary_rule.hpp>
 #include <meniscus/data/errors.hpp>
 #include <meniscus/data/text.hpp>
 
@@ -115,7 +116,7 @@ std::string range_constants(const std::string& name, const std::optional<Range>&
 std::string provenance_comment(const Model& model) {
     std::string text = "// Trained by " + comment_text(model.objective) +
                        "; neighbors: " + comment_text(model.phase_rule) + "; " +
-                       comment_text(model.boundary_rule) + ".\n";
+                       std::string(boundary_rule_text(model.boundary_counts)) + ".\n";
     if (model.training_files.empty())
         return text + "// The training files are not recorded.\n";
     text += "// On its training files it has " + std::to_string(model.false_negatives) +

@@ -1,5 +1,6 @@
 #include "labelled_state.hpp"
 
+#include <meniscus/data/boundary_rule.hpp>
 #include <meniscus/data/errors.hpp>
 #include <meniscus/data/snapshot_files.hpp>
 #include <meniscus/data/text.hpp>
@@ -49,11 +50,13 @@ std::vector<double> checked_values(const Snapshot& snapshot, const std::string& 
     return values;
 }
 
-std::vector<std::uint32_t> neighbor_counts(const Snapshot& snapshot,
+std::vector<std::uint32_t> neighbor_counts(const Snapshot& snapshot, bool boundary_counts,
                                            const std::vector<double>& valid,
                                            const std::string& file) {
-    const double largest = std::min<double>(static_cast<double>(snapshot.size()),
-                                            std::numeric_limits<std::uint32_t>::max());
+    const std::size_t particles =
+        snapshot.size() + (boundary_counts ? snapshot.boundary.size() : 0);
+    const double largest =
+        std::min<double>(static_cast<double>(particles), std::numeric_limits<std::uint32_t>::max());
     const auto values = checked_values(snapshot, "neighbor_count", valid, largest, file);
     std::vector<std::uint32_t> counts(values.size());
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -76,6 +79,18 @@ double labelled_radius_ratio(const Snapshot& snapshot, const std::string& file) 
     return *ratio;
 }
 
+bool labelled_boundary_rule(const Snapshot& snapshot, const std::string& file) {
+    const auto entry = snapshot.provenance.find("boundary_rule");
+    if (entry == snapshot.provenance.end())
+        return false;
+    const auto counts = boundary_counts_from(entry->second);
+    if (!counts)
+        throw InputError(file + ": 'boundary_rule' in its provenance is '" + entry->second +
+                         "', expected '" + std::string(boundary_counts_text) + "' or '" +
+                         std::string(boundary_ignored_text) + "'; label the snapshot again");
+    return *counts;
+}
+
 double checked_support_radius(const Snapshot& snapshot, const std::string& file) {
     if (!snapshot.support_radius)
         not_labelled(file, "support radius");
@@ -96,7 +111,8 @@ LabelledState labelled_state(const Snapshot& snapshot, const std::filesystem::pa
     state.uncovered_fraction =
         checked_values(snapshot, "uncovered_fraction", valid, 1, file.string());
     state.mass_offset = checked_values(snapshot, "mass_offset", valid, 1, file.string());
-    state.neighbor_count = neighbor_counts(snapshot, valid, file.string());
+    state.boundary_counts = labelled_boundary_rule(snapshot, file.string());
+    state.neighbor_count = neighbor_counts(snapshot, state.boundary_counts, valid, file.string());
     state.support_radius = checked_support_radius(snapshot, file.string());
     state.radius_ratio = labelled_radius_ratio(snapshot, file.string());
     if (snapshot.particle_spacing && *snapshot.particle_spacing > 0 &&
@@ -150,6 +166,12 @@ void check_same_kind(const std::vector<LabelledState>& states) {
                              number_text(first.radius_ratio) + " and " + state.file + " with " +
                              number_text(state.radius_ratio) +
                              "; label them with the same --radius-ratio");
+        if (state.boundary_counts != first.boundary_counts)
+            throw InputError(first.file + " was labelled by the rule '" +
+                             std::string(boundary_rule_text(first.boundary_counts)) + "' and " +
+                             state.file + " by '" +
+                             std::string(boundary_rule_text(state.boundary_counts)) +
+                             "'; label both with --boundary-counts or both without");
         if (state.relative != first.relative)
             throw InputError("counts are relative in one of " + first.file + " and " + state.file +
                              " and not in the other");

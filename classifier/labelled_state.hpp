@@ -20,6 +20,7 @@ struct LabelledState {
     int dimension = 3;
     double support_radius = 0;              ///< h in m
     double radius_ratio = 0;                ///< r2 / r1 that it was labelled with
+    bool boundary_counts = false;           ///< boundary particles are neighbors in the features
     std::optional<double> particle_spacing; ///< initial distance of particles in m
     // One entry a valid particle, in the file's order:
     std::vector<double> mass_offset;           ///< feature x, without unit
@@ -46,8 +47,9 @@ void make_relative(LabelledState& state);
 
 /// Takes the state out of a labelled snapshot; `file` is for its name and for messages, nothing is
 /// read from it. Throws InputError, naming the file and what is missing, where it was not labelled
-/// (`meniscus label` adds the arrays) or where an array has a value that is not finite or out of
-/// range.
+/// (`meniscus label` adds the arrays), where an array has a value that is not finite or out of
+/// range, or where its provenance has no such radius ratio or boundary rule. Boundary particles do
+/// not count where the provenance has no boundary rule.
 LabelledState labelled_state(const Snapshot& snapshot, const std::filesystem::path& file);
 
 /// Reads and checks one labelled file; `scene` replaces the file's own where it is not empty.
@@ -61,8 +63,9 @@ std::optional<double> spacing_ratio(const LabelledState& state);
 /// there are none.
 std::optional<double> bulk_neighbor_count(const LabelledState& state);
 
-/// Throws InputError, naming both files, where states differ in dimension, in radius ratio or in
-/// being relative: one line cannot be trained or judged on them together.
+/// Throws InputError, naming both files, where states differ in dimension, in radius ratio, in
+/// whether boundary particles count or in being relative: one line cannot be trained or judged on
+/// them together.
 void check_same_kind(const std::vector<LabelledState>& states);
 
 /// Which states belong to which scene.

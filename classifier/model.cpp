@@ -1,5 +1,6 @@
 #include "model.hpp"
 
+#include <meniscus/data/boundary_rule.hpp>
 #include <meniscus/data/errors.hpp>
 #include <meniscus/data/text.hpp>
 
@@ -198,6 +199,15 @@ std::string worst_use(const std::string& what, const std::optional<Range>& train
            " in training";
 }
 
+bool read_boundary_rule(const Reader& reader) {
+    constexpr const char* key = "boundary_rule";
+    const auto counts = boundary_counts_from(reader.text(key));
+    if (!counts)
+        reader.refuse(key, "'" + std::string(boundary_counts_text) + "' or '" +
+                               std::string(boundary_ignored_text) + "'");
+    return *counts;
+}
+
 std::string model_name(const Model& model) {
     return model.file.empty() ? std::string("the model") : "model " + model.file;
 }
@@ -229,7 +239,7 @@ Model model_from_json(const std::string& text, const std::filesystem::path& file
     model.spacing_ratio = reader.range("spacing_ratio", largest_spacing_ratio);
     model.bulk_neighbor_count = reader.range("bulk_neighbor_count", largest_neighbor_count);
     model.phase_rule = reader.text("phase_rule");
-    model.boundary_rule = reader.text("boundary_rule");
+    model.boundary_counts = read_boundary_rule(reader);
     read_training(reader, file.string(), model);
     return model;
 }
@@ -265,7 +275,7 @@ std::string model_to_json(const Model& model) {
                  {"spacing_ratio", range_json(model.spacing_ratio)},
                  {"bulk_neighbor_count", range_json(model.bulk_neighbor_count)},
                  {"phase_rule", model.phase_rule},
-                 {"boundary_rule", model.boundary_rule},
+                 {"boundary_rule", boundary_rule_text(model.boundary_counts)},
                  {"training_files", files},
                  {"false_negatives", model.false_negatives},
                  {"false_positives", model.false_positives}};
@@ -287,6 +297,15 @@ void check_radius_ratio(const Model& model, double radius_ratio, const std::stri
                          number_text(model.radius_ratio) + ", " + file + " was labelled with " +
                          number_text(radius_ratio) + "; label it with --radius-ratio " +
                          number_text(model.radius_ratio));
+}
+
+void check_boundary_rule(const Model& model, bool boundary_counts, const std::string& file) {
+    if (model.boundary_counts != boundary_counts)
+        throw InputError(model_name(model) + " was trained by the rule '" +
+                         std::string(boundary_rule_text(model.boundary_counts)) + "', " + file +
+                         " was labelled by '" + std::string(boundary_rule_text(boundary_counts)) +
+                         "'; label it " + (model.boundary_counts ? "with" : "without") +
+                         " --boundary-counts");
 }
 
 std::string outside_trained_range(const Model& model, const std::vector<ModelUse>& uses) {

@@ -47,7 +47,7 @@ struct Model {
     std::optional<Range> spacing_ratio;  ///< h / particle spacing seen in training
     std::optional<Range> bulk_neighbor_count; ///< seen in training
     std::string phase_rule = "same phase only";
-    std::string boundary_rule = "boundary particles do not count";
+    bool boundary_counts = false;             ///< boundary particles are neighbors in the features
     std::vector<TrainingFile> training_files; ///< empty for a line from elsewhere
     std::size_t false_negatives = 0;          ///< on the training files
     std::size_t false_positives = 0;          ///< on the training files
@@ -73,6 +73,10 @@ void check_dimension(const Model& model, int dimension, const std::string& file)
 /// Throws InputError, naming model and file, where the model was trained on labels of another
 /// radius ratio than the file has.
 void check_radius_ratio(const Model& model, double radius_ratio, const std::string& file);
+
+/// Throws InputError, naming model and file, where boundary particles count in one's features and
+/// not in the other's.
+void check_boundary_rule(const Model& model, bool boundary_counts, const std::string& file);
 
 /// What a model is about to be used on.
 struct ModelUse {

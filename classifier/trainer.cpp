@@ -65,6 +65,7 @@ void check_training(const std::vector<LabelledState>& states, const TrainingOpti
     if (options.keep_k) {
         check_dimension(*options.keep_k, states.front().dimension, states.front().file);
         check_radius_ratio(*options.keep_k, states.front().radius_ratio, states.front().file);
+        check_boundary_rule(*options.keep_k, states.front().boundary_counts, states.front().file);
         if ((options.keep_k->reference_neighbor_count > 0) != states.front().relative)
             throw InputError("one of the line to keep and the states has relative counts, the "
                              "other has not");
@@ -108,6 +109,7 @@ Model train(const std::vector<LabelledState>& states, const TrainingOptions& opt
     model.line = trained_line(states, options);
     model.dimension = states.front().dimension;
     model.radius_ratio = states.front().radius_ratio;
+    model.boundary_counts = states.front().boundary_counts;
     model.reference_neighbor_count = states.front().relative ? reference_neighbor_count : 0;
     model.label_threshold = options.label_threshold;
     model.objective = options.keep_k ? "keep-k" : options.objective;

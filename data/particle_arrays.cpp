@@ -60,6 +60,32 @@ std::vector<double> checked_masses(const Snapshot& snapshot,
     return masses;
 }
 
+double mean_mass(const std::vector<double>& masses, const std::vector<std::uint8_t>& valid) {
+    double sum = 0;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < masses.size(); ++i)
+        if (valid[i] != 0) {
+            sum += masses[i];
+            ++count;
+        }
+    return count == 0 ? 1 : sum / static_cast<double>(count);
+}
+
+void check_boundary(const Snapshot& snapshot) {
+    for (std::size_t i = 0; i < snapshot.boundary.size(); ++i) {
+        const auto& position = snapshot.boundary[i];
+        for (const double coordinate : position)
+            if (!std::isfinite(coordinate))
+                throw InputError("boundary particle " + std::to_string(i) +
+                                 " has a position that is not finite");
+        if (snapshot.dimension == 2 && !snapshot.positions.empty() &&
+            std::isfinite(snapshot.positions[0][2]) && position[2] != snapshot.positions[0][2])
+            throw InputError(
+                "boundary particle " + std::to_string(i) + " has z = " + number_text(position[2]) +
+                ", but the fluid in 2D lies at z = " + number_text(snapshot.positions[0][2]));
+    }
+}
+
 std::vector<std::int64_t> integer_values(const Snapshot& snapshot, std::string_view name,
                                          const std::vector<std::uint8_t>& valid) {
     if (find_array(snapshot, name) == nullptr)

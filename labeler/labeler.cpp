@@ -3,6 +3,7 @@
 #include "coverage.hpp"
 #include "exact_labels.hpp"
 
+#include <meniscus/data/boundary_rule.hpp>
 #include <meniscus/data/errors.hpp>
 #include <meniscus/data/neighbor_search.hpp>
 #include <meniscus/data/particle_arrays.hpp>
@@ -43,6 +44,8 @@ struct Work {
     std::vector<std::int64_t> ids; ///< or empty
     std::optional<NeighborGrid> grid;
     std::optional<NeighborGrid> boundary; ///< where there is one
+    bool boundary_counts = false;
+    double boundary_mass = 1;
     LabelMethod method = LabelMethod::exact;
     DirectionBlocks table; ///< empty where each particle draws its own directions
 };
@@ -56,22 +59,6 @@ struct Workspace {
     std::vector<Direction> own_directions;
 };
 
-/// Boundary particles must be finite, and in two dimensions lie in the fluid's plane.
-void check_boundary(const Snapshot& snapshot) {
-    for (std::size_t i = 0; i < snapshot.boundary.size(); ++i) {
-        const auto& position = snapshot.boundary[i];
-        for (const double coordinate : position)
-            if (!std::isfinite(coordinate))
-                throw InputError("boundary particle " + std::to_string(i) +
-                                 " has a position that is not finite");
-        if (snapshot.dimension == 2 && !snapshot.positions.empty() &&
-            std::isfinite(snapshot.positions[0][2]) && position[2] != snapshot.positions[0][2])
-            throw InputError(
-                "boundary particle " + std::to_string(i) + " has z = " + number_text(position[2]) +
-                ", but the fluid in 2D lies at z = " + number_text(snapshot.positions[0][2]));
-    }
-}
-
 void sort_particles(Work& work, const Snapshot& snapshot, const LabelOptions& options) {
     const auto phases = integer_values(snapshot, "phase", work.valid);
     work.grid.emplace(snapshot.positions, work.support_radius,
@@ -82,6 +69,8 @@ void sort_particles(Work& work, const Snapshot& snapshot, const LabelOptions& op
     check_boundary(snapshot);
     work.boundary.emplace(snapshot.boundary, work.support_radius, NeighborFilter{},
                           options.threads);
+    work.boundary_counts = options.boundary_counts;
+    work.boundary_mass = mean_mass(work.masses, work.valid);
 }
 
 Work prepare_work(const Snapshot& snapshot, double support_radius, const LabelOptions& options) {
@@ -134,15 +123,19 @@ void gather_neighbors(const Work& work, std::size_t place, const Direction& cent
         if (work.range.contains(distance_squared))
             add_coverer(displacement);
     }
+    if (work.boundary) {
+        work.boundary->find_around(center, found);
+        for (const Direction& displacement : found.displacements) {
+            const double distance_squared = squared(displacement);
+            if (work.boundary_counts)
+                sum.add(displacement, distance_squared, work.boundary_mass, work.range);
+            if (work.range.contains(distance_squared))
+                add_coverer(displacement);
+        }
+    }
     const std::size_t i = work.grid->particle(place);
     labels.mass_offset[i] = mass_offset(sum, work.support_radius);
     labels.neighbor_count[i] = static_cast<std::uint32_t>(sum.count);
-    if (!work.boundary)
-        return;
-    work.boundary->find_around(center, found);
-    for (const Direction& displacement : found.displacements)
-        if (work.range.contains(squared(displacement)))
-            add_coverer(displacement);
 }
 
 double exact_fraction(const Work& work, Workspace& workspace) {
@@ -247,6 +240,7 @@ void set_label_provenance(Snapshot& snapshot, double support_radius, const Label
     }
     if (!snapshot.boundary.empty())
         provenance["boundary_particles"] = std::to_string(snapshot.boundary.size());
+    provenance["boundary_rule"] = boundary_rule_text(options.boundary_counts);
     provenance["radius_ratio"] = provenance_number(options.radius_ratio);
     provenance["support_radius"] = provenance_number(support_radius);
     provenance["neighbor_band"] = provenance_number(neighbor_band);

@@ -24,6 +24,7 @@ struct LabelOptions {
     std::size_t samples = 100000;  ///< Monte Carlo: directions a particle
     std::string scheme = "halton"; ///< Monte Carlo: name of a sampling scheme
     std::uint64_t seed = 0;        ///< Monte Carlo; 0: Halton's sequence as it is
+    bool boundary_counts = false;  ///< boundary particles are neighbors in the features too
     bool skip_invalid = false;     ///< leave particles with non-finite positions out
     int threads = 0;               ///< 0: all cores; the labels do not depend on it
     /// Called now and then from the calling thread with the number of particles done.
@@ -41,10 +42,11 @@ struct Labels {
 
 /// Labels all particles with support radius `support_radius` (m). A `phase` array keeps phases
 /// apart, a `mass` array weights the features, an `id` array keys random directions. The snapshot's
-/// boundary particles cover, whatever the phase, but do not count in the features: a particle at a
-/// wall is not at the free surface. Throws InputError where an option is out of range, where a
-/// position is not finite (how many, and the first index) unless skip_invalid, where a mass is not
-/// positive, or where the neighbor search refuses; likewise for the boundary.
+/// boundary particles cover, whatever the phase: a particle at a wall is not at the free surface.
+/// In the features they count only with boundary_counts, whatever the phase, each with the
+/// mean_mass of the fluid. Throws InputError where an option is out of range, where a position is
+/// not finite (how many, and the first index) unless skip_invalid, where a mass is not positive, or
+/// where the neighbor search refuses; likewise for the boundary.
 Labels label_particles(const Snapshot& snapshot, double support_radius,
                        const LabelOptions& options);
 
@@ -55,8 +57,8 @@ void add_labels(Snapshot& snapshot, const Labels& labels, double support_radius,
 
 /// Says in the provenance how the labels are made with these options: program, method, with Monte
 /// Carlo samples, scheme and seed, radius_ratio, support_radius, neighbor_band, label_bound,
-/// skip_invalid, and boundary_particles where there are some. What an earlier labelling said is
-/// gone.
+/// skip_invalid, boundary_rule (data/boundary_rule.hpp), and boundary_particles where there are
+/// some. What an earlier labelling said is gone.
 void set_label_provenance(Snapshot& snapshot, double support_radius, const LabelOptions& options);
 
 /// Mean neighbor count over valid particles; 0 where there are none.

@@ -4,33 +4,33 @@
 // Trained by neyman-pearson; neighbors: same phase only; boundary particles do not count.
 // On its training files it has 0 false negatives and 23265 false positives:
 //   boxhole_dfsph_04.vtkhdf, scene SurfaceTension_BoxHole_ZR2020: 11616 particles, 2545 surface
-//     sha256 be8736a9dc72fe72bf4bedf212d3e66eeaa7ccb18b4325bd9afbc527884e155d
+//     sha256 88dad6a2af49e72ca7b4a6ab92831d6a66efd884485edfe3322910c674875a81
 //   boxhole_dfsph_18.vtkhdf, scene SurfaceTension_BoxHole_ZR2020: 11616 particles, 3210 surface
-//     sha256 ceb4c97ad579bbe537c526423ad033502db7063ab5d76acc085e1297acf9c2bf
+//     sha256 306532064595c3beb4d1634d9f3e5a2229454572ec012f74d9bf63e5868fa8cc
 //   crown_dfsph_02.vtkhdf, scene SurfaceTension_Crown_ZR2020: 61992 particles, 8567 surface
-//     sha256 8c5713dd862c5639f3bd74d5d1955a47cca9c653c67ba284da6704d3844c86b3
+//     sha256 fa7f0ed4a821854251fa84485dd2bc11dfcb1508cb32148c736a950f01e0cb6e
 //   crown_dfsph_15.vtkhdf, scene SurfaceTension_Crown_ZR2020: 61992 particles, 11070 surface
-//     sha256 979589ddf7e607a1e660ddaa23a7ebd625ce7096c7b97be67e5cedcd32197164
+//     sha256 3bc29c1fcb7e5667d94e22c8e3a510afcdaccb206bc9a240b1ac7e2330d885e7
 //   cube_iisph_05.vtkhdf, scene SurfaceTension_NoGravCube_ZR2020: 10648 particles, 2689 surface
-//     sha256 bf08473eecd726442928b70b40d498bd09f42390adc1a62fc4cf7ee3bf13caa6
+//     sha256 3a243a39a6f4e56c648eb2cad97322a730479f9df7f337ce8af18b9d2043fe22
 //   dam_dfsph_01.vtkhdf, scene SurfaceTension_BreakDamZR2020: 26136 particles, 5136 surface
-//     sha256 7c042c6108a1f36852ab6aaf573313e7b4261964fc0c47e0c0648527d891404a
+//     sha256 4061a239939c323ee1040045fab3c96c5ea9e401c9dc4e906aab7d8e2aba06b7
 //   dam_dfsph_04.vtkhdf, scene SurfaceTension_BreakDamZR2020: 26136 particles, 4868 surface
-//     sha256 3bd0074fdaf1db6a1fb54d763e92caae370bfaadec71a5756d966a2a2677e603
+//     sha256 80c7a2cf5d45f32e03844c8f897968c7644d4d95d3d1bbde5d0cec7726c18647
 //   dam_dfsph_08.vtkhdf, scene SurfaceTension_BreakDamZR2020: 26136 particles, 6127 surface
-//     sha256 41e0eb3f29a23ca604b62c2d083b20ff39a31f0111259ed9e088c4a976eb9304
+//     sha256 93ba9c4713188a47e717efd3aacc9fb24abd81f3e66bd681a1c885294a2d4ab9
 //   dam_dfsph_14.vtkhdf, scene SurfaceTension_BreakDamZR2020: 26136 particles, 6595 surface
-//     sha256 98631a3237ef20ef903cc241e2d5449cb1990823dc5e6f0b4055d366dc7c5b46
+//     sha256 6b491735932c687ea48707864705f2d681d977a934cacdad6812ac7a97964769
 //   droplet_iisph_01.vtkhdf, scene SurfaceTension_DoubleDroplet_ZR2020: 8192 particles, 2704 surface
-//     sha256 b190c3f9ccee933c94d1550532f974d0dddc001b695c0a904173af62f6a714b1
+//     sha256 de464399e1c0197987b1ecd2f27b80e8bbf3df6d1d94d82a590c0c437214b162
 //   droplet_iisph_04.vtkhdf, scene SurfaceTension_DoubleDroplet_ZR2020: 8192 particles, 2704 surface
-//     sha256 ec9ca4dc9963ddb3e85eaabf6320962a3f3c319df9149d8250a0ef26b14bf2f0
+//     sha256 26c39b74b27b63f97406234ca4c579dc7233c49212552dbdc1d46489b2261bb3
 //   droplet_iisph_06.vtkhdf, scene SurfaceTension_DoubleDroplet_ZR2020: 8192 particles, 2701 surface
-//     sha256 b3aa70a9b663881e09519b5c586b5d031479830eb03da9678233df81d4984b2b
+//     sha256 5e763d0820557e2efebffd21ee496f8b847b0972db99500d6fbbf39ef65cc731
 //   droplet_iisph_14.vtkhdf, scene SurfaceTension_DoubleDroplet_ZR2020: 8192 particles, 2610 surface
-//     sha256 d77cf518ccfc87a54d6b6bf6c812132b04e1a5027c95352cacb77b0c417c52bf
+//     sha256 fd6704ffb9c62ed88017e2355c83a1df564b9cf4fdd979a5fa4941b66378b24f
 //   snake_dfsph_05.vtkhdf, scene SurfaceTension_SnakeTestZR2020: 6076 particles, 3026 surface
-//     sha256 334bd81a64e53de57aecf91abb061db949d2258bf2e8845b5da572ac35935907
+//     sha256 e32353f47ae34a2b368ffc384421b35e3c9cd44bfe8e1ab5bbf7e037c39b0279
 // clang-format off
 #ifndef MENISCUS_COEFFICIENTS_637E67641A65EC81
 #define MENISCUS_COEFFICIENTS_637E67641A65EC81

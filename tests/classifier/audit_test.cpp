@@ -16,6 +16,7 @@ namespace meniscus {
 namespace {
 
 using test::chain;
+using test::chain_between_walls;
 using test::chain_model;
 
 AuditRow audited(const Snapshot& snapshot, const Model& model, double label_threshold) {
@@ -75,6 +76,41 @@ TEST(Audit, MassesWeighTheOffset) {
     EXPECT_EQ(audited(snapshot, model, 0).bands[0].missed, 1U);
 }
 
+TEST(Audit, CountsTheBoundaryWhereTheModelDoes) {
+    Model model = chain_model();
+    model.boundary_counts = true;
+    AuditRow row = audited(chain_between_walls(), model, 0);
+    EXPECT_EQ(row.features_differ, 0U);
+    EXPECT_EQ(row.false_negatives, 3U); // both ends of the row have two neighbors now
+    EXPECT_EQ(row.false_negatives_float, 3U);
+    EXPECT_EQ(row.false_positives, 0U);
+    EXPECT_EQ(row.false_positives_float, 0U);
+    Snapshot bare = chain_between_walls();
+    bare.boundary.clear();
+    EXPECT_EQ(audited(bare, model, 0).features_differ, 2U);
+    // A boundary that does not count changes nothing.
+    Snapshot ignored = chain();
+    ignored.boundary = chain_between_walls().boundary;
+    row = audited(ignored, chain_model(), 0);
+    EXPECT_EQ(row.features_differ, 0U);
+    EXPECT_EQ(row.false_negatives, 2U);
+}
+
+TEST(Audit, BoundaryParticlesHaveTheMeanMass) {
+    Snapshot snapshot = chain_between_walls();
+    // The mean over the valid particles is 3. The offset of particle 4, between masses 1 and 3, is
+    // 0.5 (3 - 1) / 4 = 0.25.
+    set_array(snapshot, {"mass", 1, std::vector<double>{1, 1, 1, 1, 1, 13, 500}});
+    Model model = chain_model();
+    model.boundary_counts = true;
+    for (const double below : {0.1, -0.1}) {
+        model.line = {10, -0.5 + below}; // 2 <= 10 * 0.25 - 0.5 + below
+        const AuditRow row = audited(snapshot, model, 0);
+        EXPECT_EQ(row.false_positives, below > 0 ? 1U : 0U);
+        EXPECT_EQ(row.false_positives_float, below > 0 ? 1U : 0U);
+    }
+}
+
 TEST(Audit, FloatAndDoubleAreCountedApart) {
     Model model = chain_model();
     model.line = {0, 2 - 1e-9}; // in float that is 2
@@ -91,6 +127,10 @@ TEST(Audit, RefusesModelsOfAnotherKind) {
     EXPECT_THROW(audited(chain(), model, 0), InputError);
     model = chain_model();
     model.radius_ratio = 0.7;
+    EXPECT_THROW(audited(chain(), model, 0), InputError);
+    EXPECT_THROW(audited(chain_between_walls(), chain_model(), 0), InputError);
+    model = chain_model();
+    model.boundary_counts = true;
     EXPECT_THROW(audited(chain(), model, 0), InputError);
     EXPECT_THROW(audited(chain(), chain_model(), 1), InputError);
 }

@@ -10,6 +10,7 @@ namespace meniscus {
 namespace {
 
 using test::chain;
+using test::chain_between_walls;
 using test::chain_model;
 
 TEST(ClassifySnapshot, MatchesTheExampleWorkedOutByHand) {
@@ -28,6 +29,39 @@ TEST(ClassifySnapshot, WorksInTwoDimensions) {
     model.dimension = 2;
     EXPECT_EQ(classify_snapshot(snapshot, model, {true, 1}).surface,
               (std::vector<std::uint8_t>{1, 0, 0, 0, 1, 1, 0}));
+}
+
+TEST(ClassifySnapshot, CountsTheBoundaryWhereTheModelDoes) {
+    Model model = chain_model();
+    const Snapshot snapshot = chain_between_walls();
+    EXPECT_EQ(classify_snapshot(snapshot, model, {true, 1}).surface,
+              (std::vector<std::uint8_t>{1, 0, 0, 0, 1, 1, 0}));
+    model.boundary_counts = true;
+    for (const int dimension : {2, 3}) {
+        Snapshot walled = snapshot;
+        walled.dimension = dimension;
+        model.dimension = dimension;
+        const Classes classes = classify_snapshot(walled, model, {true, 1});
+        EXPECT_EQ(classes.surface, (std::vector<std::uint8_t>{0, 0, 0, 0, 0, 1, 0}));
+        EXPECT_EQ(classes.neighbor_count, (std::vector<std::uint32_t>{2, 2, 2, 2, 2, 0, 0}));
+        EXPECT_TRUE(classes.warnings.empty());
+    }
+    const Classes bare = classify_snapshot(chain(), model, {true, 1});
+    EXPECT_EQ(bare.surface, (std::vector<std::uint8_t>{1, 0, 0, 0, 1, 1, 0}));
+    ASSERT_EQ(bare.warnings.size(), 1U);
+    EXPECT_NE(bare.warnings[0].find("boundary"), std::string::npos) << bare.warnings[0];
+}
+
+TEST(ClassifySnapshot, RefusesABoundaryThatItCannotCount) {
+    Snapshot snapshot = chain_between_walls();
+    snapshot.boundary[1][2] = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_NO_THROW(classify_snapshot(snapshot, chain_model(), {true, 1}));
+    Model model = chain_model();
+    model.boundary_counts = true;
+    expect_mentions(error_of<InputError>([&] {
+                        classify_snapshot(snapshot, model, {true, 1});
+                    }),
+                    {"boundary particle 1", "not finite"});
 }
 
 TEST(ClassifySnapshot, CountsPositionsThatAreNotFinite) {
@@ -57,7 +91,7 @@ TEST(Predict, FloatAndDoubleFollowTheirOwnRounding) {
     Model model = chain_model();
     model.line = {0, 2 - 1e-9}; // in float that is 2
     const Snapshot snapshot = chain();
-    const auto neighborhoods = find_neighborhoods(snapshot, 1, {1, 1, 1, 1, 1, 1, 0}, 1);
+    const auto neighborhoods = find_neighborhoods(snapshot, 1, {1, 1, 1, 1, 1, 1, 0}, false, 1);
     EXPECT_EQ(predict(model, snapshot, neighborhoods, Precision::float64).surface[2], 0);
     EXPECT_EQ(predict(model, snapshot, neighborhoods, Precision::float32).surface[2], 1);
 }

@@ -77,9 +77,17 @@ TEST_F(HeaderExport, NoFileNameBreaksOutOfAComment) {
         model.training_files = {{name, name, name, 1, 1}};
         model.objective = name;
         model.phase_rule = name;
-        model.boundary_rule = name;
         EXPECT_TRUE(compiles("line.hpp", coefficient_header(model, "Line"))) << name;
     }
+}
+
+TEST_F(HeaderExport, SaysWhetherBoundaryParticlesCount) {
+    Model model = example();
+    EXPECT_NE(coefficient_header(model, "Line").find("boundary particles do not count.\n"),
+              std::string::npos);
+    model.boundary_counts = true;
+    EXPECT_NE(coefficient_header(model, "Line").find("boundary particles count.\n"),
+              std::string::npos);
 }
 
 TEST_F(HeaderExport, TwoLinesUnderOneNameAreAnError) {

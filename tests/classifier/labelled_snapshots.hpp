@@ -27,6 +27,17 @@ inline Snapshot chain() {
     return snapshot;
 }
 
+/// The same between two walls that count, half a support radius off its ends: 2 2 2 2 2 neighbors
+/// at no mass offset.
+inline Snapshot chain_between_walls() {
+    Snapshot snapshot = chain();
+    snapshot.boundary = {{-0.5, 0, 0}, {2.5, 0, 0}};
+    snapshot.provenance["boundary_rule"] = "boundary particles count";
+    set_array(snapshot, {"mass_offset", 1, std::vector<double>{0, 0, 0, 0, 0, 0, 0}});
+    set_array(snapshot, {"neighbor_count", 1, std::vector<std::uint32_t>{2, 2, 2, 2, 2, 0, 0}});
+    return snapshot;
+}
+
 /// Takes the ends of the row and the particle far away for surface.
 inline Model chain_model() {
     Model model;

@@ -13,6 +13,7 @@ namespace meniscus {
 namespace {
 
 using test::chain;
+using test::chain_between_walls;
 using test::state_of;
 
 std::string refusal_of(const Snapshot& snapshot) {
@@ -82,6 +83,33 @@ TEST(LabelledState, ParticlesThatAreNotValidMayHoldAnything) {
                          std::vector<double>{0.5, 0, 0, 0, 0.5, 0,
                                              std::numeric_limits<double>::quiet_NaN()}});
     EXPECT_EQ(labelled_state(snapshot, "chain.vtkhdf").size(), 6U);
+}
+
+TEST(LabelledState, SaysWhetherBoundaryParticlesCount) {
+    Snapshot snapshot = chain();
+    EXPECT_FALSE(labelled_state(snapshot, "chain.vtkhdf").boundary_counts);
+    snapshot.provenance["boundary_rule"] = "boundary particles do not count";
+    EXPECT_FALSE(labelled_state(snapshot, "chain.vtkhdf").boundary_counts);
+    EXPECT_TRUE(labelled_state(chain_between_walls(), "chain.vtkhdf").boundary_counts);
+    for (const char* rule : {"", "yes", "boundary particles count twice"}) {
+        snapshot.provenance["boundary_rule"] = rule;
+        const std::string error = refusal_of(snapshot);
+        EXPECT_NE(error.find("'boundary_rule'"), std::string::npos) << error;
+        EXPECT_NE(error.find("label the snapshot again"), std::string::npos) << error;
+    }
+}
+
+TEST(LabelledState, AWallMayAddToTheNeighborsOfFewParticles) {
+    Snapshot snapshot = chain_between_walls();
+    const auto with_count = [&](std::uint32_t count) {
+        set_array(snapshot,
+                  {"neighbor_count", 1, std::vector<std::uint32_t>{2, 2, 2, count, 2, 0, 0}});
+        return snapshot;
+    };
+    EXPECT_EQ(labelled_state(with_count(9), "chain.vtkhdf").neighbor_count[3], 9U);
+    EXPECT_NE(refusal_of(with_count(10)).find("particle 3 is 10"), std::string::npos);
+    snapshot.provenance.erase("boundary_rule");
+    EXPECT_NE(refusal_of(with_count(9)).find("particle 3 is 9"), std::string::npos);
 }
 
 TEST(LabelledState, BulkNeighborCountNeedsCoveredParticles) {

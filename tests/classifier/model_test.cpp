@@ -54,6 +54,17 @@ TEST(Model, ReadsBackToTheSameBits) {
     EXPECT_EQ(read.file, "line.json");
 }
 
+TEST(Model, SaysWhetherBoundaryParticlesCount) {
+    for (const bool counts : {false, true}) {
+        Model model = example();
+        model.boundary_counts = counts;
+        const std::string text = model_to_json(model);
+        EXPECT_EQ(Json::parse(text)["boundary_rule"],
+                  counts ? "boundary particles count" : "boundary particles do not count");
+        EXPECT_EQ(model_from_json(text, "line.json").boundary_counts, counts);
+    }
+}
+
 TEST(Model, ReadsBackWithoutRangesAndFiles) {
     Model model;
     model.line = {74.6888, 28};
@@ -128,6 +139,8 @@ TEST(Model, RefusesImplausibleValues) {
         {"false_positives", -1},
         {"false_positives", 1.5},
         {"features", {"neighbor_count", "mass_offset"}},
+        {"boundary_rule", "boundary particles count half"},
+        {"boundary_rule", ""},
         {"format", "something else"},
         {"format_version", 2},
     };
@@ -168,6 +181,13 @@ TEST(ModelUse, OfAnotherKindIsRefused) {
     EXPECT_THROW(check_dimension(model, 2, "a.vtkhdf"), InputError);
     EXPECT_NO_THROW(check_radius_ratio(model, 0.8, "a.vtkhdf"));
     EXPECT_THROW(check_radius_ratio(model, 0.75, "a.vtkhdf"), InputError);
+    EXPECT_NO_THROW(check_boundary_rule(model, false, "a.vtkhdf"));
+    EXPECT_EQ(error_of<InputError>([&] { check_boundary_rule(model, true, "a.vtkhdf"); }),
+              "model line.json was trained by the rule 'boundary particles do not count', a.vtkhdf "
+              "was labelled by 'boundary particles count'; label it without --boundary-counts");
+    model.boundary_counts = true;
+    EXPECT_NO_THROW(check_boundary_rule(model, true, "a.vtkhdf"));
+    EXPECT_THROW(check_boundary_rule(model, false, "a.vtkhdf"), InputError);
 }
 
 TEST(ModelUse, OutsideTheTrainedRangeDrawsOneWarning) {

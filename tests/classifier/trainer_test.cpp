@@ -82,6 +82,10 @@ TEST(Train, DescribesItsTrainingSet) {
     EXPECT_EQ(model.training_files[0].hash, "abc");
     EXPECT_EQ(model.training_files[0].particles, 3000U);
     EXPECT_EQ(model.training_files[0].surface_particles, 1000U);
+    EXPECT_FALSE(model.boundary_counts);
+    for (LabelledState& state : states)
+        state.boundary_counts = true;
+    EXPECT_TRUE(train(states, {}).boundary_counts);
 }
 
 TEST(Train, KeepsTheSlopeOfAnotherModel) {
@@ -115,7 +119,17 @@ TEST(Train, RefusesWhatItCannotTrainOn) {
     mixed = good_states();
     mixed[1].radius_ratio = 0.7;
     EXPECT_NE(training_error(mixed, {}).find("0.7"), std::string::npos);
+    mixed = good_states();
+    mixed[1].boundary_counts = true;
+    EXPECT_EQ(training_error(mixed, {}),
+              "droplet.vtkhdf was labelled by the rule 'boundary particles do not count' and "
+              "dam.vtkhdf by 'boundary particles count'; label both with --boundary-counts or both "
+              "without");
     TrainingOptions options;
+    options.keep_k = Model{};
+    options.keep_k->boundary_counts = true;
+    EXPECT_NE(training_error(good_states(), options).find("--boundary-counts"), std::string::npos);
+    options = {};
     options.objective = "guess";
     EXPECT_NE(training_error(good_states(), options).find("guess"), std::string::npos);
     for (const double threshold : {-0.1, 1.0, std::nan("")}) {

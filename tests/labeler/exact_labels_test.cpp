@@ -222,6 +222,43 @@ TEST(Boundary, ParticlesAtAWallAreNotAtTheSurface) {
     }
 }
 
+TEST(Boundary, CountsInTheFeaturesByOption) {
+    Snapshot snapshot;
+    // A particle between a fluid neighbor and a wall; one of another phase and one that is not
+    // finite, whose mass does not matter.
+    snapshot.positions = {{0, 0, 0}, {0.5, 0, 0}, {0, 0.5, 0}, {std::nan(""), 0, 0}};
+    set_array(snapshot, {"mass", 1, std::vector<double>{1, 3, 5, 100}}); // mean 3
+    set_array(snapshot, {"phase", 1, std::vector<std::int32_t>{0, 0, 1, 0}});
+    // One within range of all; one closer than r1 - r2 and one beyond h, which do not count.
+    snapshot.boundary = {{0, -0.4, 0}, {0, 0.1, 0}, {0, 0, 5}};
+    LabelOptions options;
+    options.skip_invalid = true;
+    const Labels without = label_particles(snapshot, 1, options);
+    EXPECT_EQ(without.neighbor_count, (std::vector<std::uint32_t>{1, 1, 0, 0}));
+    options.boundary_counts = true;
+    const Labels with = label_particles(snapshot, 1, options);
+    EXPECT_EQ(with.neighbor_count, (std::vector<std::uint32_t>{2, 3, 2, 0}));
+    // (3 (0.5, 0) + 3 (0, -0.4)) / (3 + 3)
+    EXPECT_NEAR(with.mass_offset[0], std::hypot(0.25, 0.2), 1e-15);
+    // (1 (-0.5, 0) + 3 (-0.5, -0.4) + 3 (-0.5, 0.1)) / 7
+    EXPECT_NEAR(with.mass_offset[1], std::hypot(0.5, 0.9 / 7), 1e-15);
+    EXPECT_EQ(with.uncovered_fraction, without.uncovered_fraction);
+    snapshot.boundary.clear();
+    EXPECT_EQ(label_particles(snapshot, 1, options).neighbor_count, without.neighbor_count);
+}
+
+TEST(Boundary, ThatCountsMakesAWallLookLikeFluid) {
+    const Snapshot snapshot = basin(6);
+    LabelOptions options;
+    options.boundary_counts = true;
+    const Labels labels = label_particles(snapshot, 2.0, options);
+    for (std::size_t i = 0; i < snapshot.size(); ++i)
+        if (snapshot.positions[i][2] < 5) {
+            EXPECT_EQ(labels.neighbor_count[i], 26U) << "particle " << i;
+            EXPECT_NEAR(labels.mass_offset[i], 0, 1e-15) << "particle " << i;
+        }
+}
+
 TEST(Boundary, MustBeFiniteAndInTheFluidsPlane) {
     Snapshot snapshot = basin(2);
     snapshot.boundary[3][1] = std::nan("");

@@ -232,11 +232,16 @@ TEST(Labeler, AddsArraysAndProvenance) {
         EXPECT_NE(find_array(snapshot, name), nullptr) << name;
     EXPECT_EQ(snapshot.provenance.at("method"), "monte-carlo");
     EXPECT_EQ(snapshot.provenance.at("samples"), "100000");
+    EXPECT_EQ(snapshot.provenance.at("boundary_rule"), "boundary particles do not count");
+    options.boundary_counts = true; // which holds without any of them, too
+    set_label_provenance(snapshot, 2.0, options);
+    EXPECT_EQ(snapshot.provenance.at("boundary_rule"), "boundary particles count");
     // Labelled again, it says nothing of what is no longer so.
     set_label_provenance(snapshot, 2.0, LabelOptions{});
     EXPECT_EQ(snapshot.provenance.at("method"), "exact");
     EXPECT_EQ(snapshot.provenance.count("samples"), 0U);
     EXPECT_EQ(snapshot.provenance.count("scheme"), 0U);
+    EXPECT_EQ(snapshot.provenance.at("boundary_rule"), "boundary particles do not count");
     EXPECT_EQ(*snapshot.support_radius, 2.0);
 }
 

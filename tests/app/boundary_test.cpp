@@ -1,0 +1,128 @@
+#include "command.hpp"
+
+#include <meniscus/classifier/model.hpp>
+#include <meniscus/data/snapshot_files.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace meniscus {
+namespace {
+
+/// A block on a floor, labelled by both rules, and a model of each.
+class Boundary : public CommandLine {
+protected:
+    void SetUp() override {
+        CommandLine::SetUp();
+        succeed({"train", without, "-o", ignores, "--quiet"});
+        succeed({"train", with, "-o", counts, "--quiet"});
+    }
+
+    [[nodiscard]] static Snapshot floor() {
+        Snapshot layers;
+        for (const auto& position : block(8).positions)
+            if (position[2] < 1)
+                layers.positions.push_back({position[0], position[1], position[2] - 1});
+        return layers;
+    }
+
+    [[nodiscard]] Path labelled(const std::string& name, const Words& options) const {
+        std::filesystem::create_directories(folder);
+        return label(save(block(8), name),
+                     Words{"--boundary", save(floor(), "floor.vtkhdf")} + options);
+    }
+
+    [[nodiscard]] std::vector<double> classes(const Path& input, const Path& model,
+                                              const Words& options) const {
+        succeed(Words{"classify", input, "--model", model, "-o", folder / "out", "--quiet"} +
+                options);
+        return scalar_values(read_vtkhdf(folder / "out" / input.filename()), "predicted_surface");
+    }
+
+    const Path without = labelled("without.vtkhdf", {});
+    const Path with = labelled("with.vtkhdf", {"--boundary-counts"});
+    const Path ignores = folder / "ignores.json";
+    const Path counts = folder / "counts.json";
+};
+
+TEST_F(Boundary, CountsInTheFeaturesByOption) {
+    const Snapshot covers = read_vtkhdf(without);
+    const Snapshot counted = read_vtkhdf(with);
+    EXPECT_EQ(covers.provenance.at("boundary_rule"), "boundary particles do not count");
+    EXPECT_EQ(counted.provenance.at("boundary_rule"), "boundary particles count");
+    EXPECT_EQ(scalar_values(covers, "uncovered_fraction"),
+              scalar_values(counted, "uncovered_fraction"));
+    const auto few = scalar_values(covers, "neighbor_count");
+    const auto many = scalar_values(counted, "neighbor_count");
+    for (std::size_t i = 0; i < covers.size(); ++i) {
+        const double height = covers.positions[i][2]; // over a floor whose top is at -0.5
+        EXPECT_EQ(many[i] > few[i], height < 0.5) << i;
+    }
+}
+
+TEST_F(Boundary, RulesAreNotUpToDateWithEachOther) {
+    const Words again = {"label",      folder / "with.vtkhdf",  "-o",        folder / "labelled",
+                         "--boundary", folder / "floor.vtkhdf", "--samples", "500"};
+    EXPECT_NE(succeed(again + Words{"--boundary-counts"}).find("up to date"), std::string::npos);
+    EXPECT_EQ(succeed(again).find("up to date"), std::string::npos);
+    EXPECT_NE(succeed(again + Words{"--boundary-counts"}).find("cover and count"),
+              std::string::npos);
+    // Where there are none, the rule holds all the same.
+    const Path bare = label(save(block(5), "bare.vtkhdf"), {"--boundary-counts"});
+    EXPECT_EQ(read_vtkhdf(bare).provenance.at("boundary_rule"), "boundary particles count");
+}
+
+TEST_F(Boundary, OneModelIsOfOneRule) {
+    EXPECT_FALSE(read_model(ignores).boundary_counts);
+    EXPECT_TRUE(read_model(counts).boundary_counts);
+    fail(2, {"train", without, with, "-o", folder / "both.json"},
+         {"without.vtkhdf", "'boundary particles do not count'", " with.vtkhdf",
+          "'boundary particles count'"});
+    fail(2, {"train", with, "-o", folder / "kept.json", "--keep-k", ignores},
+         {"ignores.json", "with.vtkhdf", "--boundary-counts"});
+    auto json = nlohmann::ordered_json::parse(bytes_of(counts));
+    json["boundary_rule"] = "some count";
+    fail(2, {"audit", with, "--model", write("free.json", json.dump())},
+         {"free.json", "'boundary_rule'", "some count", "boundary particles count"});
+    succeed({"export", counts, "-o", folder / "counts.hpp", "--quiet"});
+    EXPECT_NE(bytes_of(folder / "counts.hpp").find("; boundary particles count.\n"),
+              std::string::npos);
+}
+
+TEST_F(Boundary, AuditCountsItAndRefusesTheOtherRule) {
+    succeed({"audit", with, "--model", counts, "--max-false-negatives", "0"});
+    succeed({"audit", without, "--model", ignores, "--max-false-negatives", "0"});
+    fail(2, {"audit", with, "--model", ignores}, {"ignores.json", "with.vtkhdf"});
+    fail(2, {"audit", without, "--model", counts}, {"counts.json", "without.vtkhdf"});
+}
+
+TEST_F(Boundary, ClassifyCountsWhatTheAuditCounts) {
+    const Path bare = folder / "with.vtkhdf"; // the input, without labels and boundary
+    const auto given = classes(bare, counts, {"--boundary", folder / "floor.vtkhdf"});
+    EXPECT_EQ(given, classes(with, counts, {})); // which holds its boundary
+    const auto report =
+        nlohmann::json::parse(succeed({"audit", with, "--model", counts, "--format", "json"}));
+    const auto& total = report["total"];
+    EXPECT_EQ(std::count(given.begin(), given.end(), 1), total["surface"].get<int>() -
+                                                             total["false_negatives"].get<int>() +
+                                                             total["false_positives"].get<int>());
+    EXPECT_EQ(read_vtkhdf(folder / "out" / "with.vtkhdf").boundary, floor().positions);
+    fail(2, {"classify", bare, "--model", counts, "-o", folder / "out", "--boundary", "none.vtk"},
+         {"none.vtk"});
+}
+
+TEST_F(Boundary, ClassifyWarnsWhereThereIsNone) {
+    const Path bare = folder / "with.vtkhdf";
+    const Outcome outcome =
+        run(program + Words{"classify", bare, "--model", counts, "-o", folder / "out", "--quiet"});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1) << outcome.errors;
+    expect_mentions(outcome.errors, {"warning", "with.vtkhdf", "--boundary"});
+    // A model that does not count them ignores them.
+    EXPECT_EQ(classes(bare, ignores, {}),
+              classes(bare, ignores, {"--boundary", folder / "floor.vtkhdf"}));
+}
+
+} // namespace
+} // namespace meniscus
