@@ -23,16 +23,18 @@ struct CoverageCells {
     static constexpr double covering_radius = 0.2336;
 
     std::array<float, count> x, y, z;
+    std::array<double, 2> cos_sin_radius; ///< cosine and sine of the covering radius
 
     /// A Fibonacci lattice, set back from the poles so that they are covered as well as the rest.
-    CoverageCells() {
-        const double golden_angle = pi * (3 - std::sqrt(5.0));
+    CoverageCells() : cos_sin_radius(cosine_and_sine_of_turn(covering_radius / (2 * pi))) {
+        const double golden_turn = (3 - std::sqrt(5.0)) / 2;
         for (std::size_t k = 0; k < count; ++k) {
             const double height = 1 - 2 * (static_cast<double>(k) + 0.33) / (count - 0.34);
             const double radius = std::sqrt(1 - height * height);
-            const double angle = golden_angle * static_cast<double>(k);
-            x[k] = static_cast<float>(radius * std::cos(angle));
-            y[k] = static_cast<float>(radius * std::sin(angle));
+            const double turns = golden_turn * static_cast<double>(k);
+            const auto [cosine, sine] = cosine_and_sine_of_turn(turns - std::floor(turns));
+            x[k] = static_cast<float>(radius * cosine);
+            y[k] = static_cast<float>(radius * sine);
             z[k] = static_cast<float>(height);
         }
     }
@@ -62,9 +64,9 @@ inline constexpr double float_error = 1e-6;
 /// bound of exact_coverage.hpp.
 inline constexpr double missing_margin = 7e-5;
 
-MENISCUS_INLINE void prepare(const CoveringCaps& caps, CellTests& tests) {
-    const double cos_reach = std::cos(CoverageCells::covering_radius);
-    const double sin_reach = std::sin(CoverageCells::covering_radius);
+MENISCUS_INLINE void prepare(const CoverageCells& cells, const CoveringCaps& caps,
+                             CellTests& tests) {
+    const auto [cos_reach, sin_reach] = cells.cos_sin_radius;
     const std::size_t count = caps.size();
     const std::size_t padded = (count + CellTests::chunk - 1) / CellTests::chunk * CellTests::chunk;
     for (auto* values : {&tests.x, &tests.y, &tests.z})
@@ -120,7 +122,7 @@ MENISCUS_INLINE bool mark_open_cell(const CoverageCells& cells, std::size_t k, C
 MENISCUS_INLINE Settled settle(const CoverageCells& cells, const CoveringCaps& caps,
                                CellTests& tests, bool to_the_end) {
     using namespace coverage_cells;
-    prepare(caps, tests);
+    prepare(cells, caps, tests);
     const std::size_t padded = tests.x.size();
     Settled settled = Settled::covered;
     std::size_t begin = 0; // the chunk that held the last cell often holds the next one too

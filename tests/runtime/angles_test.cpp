@@ -26,6 +26,15 @@ TEST(Angles, ArctangentOfAxesAndTinyNumbers) {
     EXPECT_DOUBLE_EQ(arctangent(1e-200, -1), pi);
 }
 
+TEST(Angles, CosineAndSineAreThoseOfTheLibrary) {
+    for (int k = 0; k < 100000; ++k) {
+        const double turn = k / 100000.0;
+        const auto [cosine, sine] = cosine_and_sine_of_turn(turn);
+        ASSERT_NEAR(cosine, std::cos(2 * pi * turn), 1e-15) << "at " << turn;
+        ASSERT_NEAR(sine, std::sin(2 * pi * turn), 1e-15) << "at " << turn;
+    }
+}
+
 TEST(Angles, TurnOrderGrowsWithTheAngle) {
     double before = -std::numeric_limits<double>::infinity();
     for (int k = -5000; k <= 4999; ++k) {
