@@ -17,16 +17,6 @@
 #pragma GCC push_options
 #pragma GCC target("avx2")
 #include "exact_labels_kernel.hpp"
-
-namespace meniscus {
-namespace {
-
-std::unique_ptr<ExactLabels> make() {
-    return std::unique_ptr<ExactLabels>(new ExactLabelsKernel);
-}
-
-} // namespace
-} // namespace meniscus
 #pragma GCC pop_options
 #define MENISCUS_HAS_KERNEL 1
 #endif
@@ -36,7 +26,7 @@ namespace meniscus {
 std::unique_ptr<ExactLabels> exact_labels_avx2() {
 #if defined(MENISCUS_HAS_KERNEL)
     if (__builtin_cpu_supports("avx2"))
-        return make();
+        return make_exact_labels();
 #endif
     return nullptr;
 }

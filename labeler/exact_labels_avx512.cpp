@@ -17,16 +17,6 @@
 #pragma GCC push_options
 #pragma GCC target("avx2,avx512f,avx512bw,avx512cd,avx512dq,avx512vl")
 #include "exact_labels_kernel.hpp"
-
-namespace meniscus {
-namespace {
-
-std::unique_ptr<ExactLabels> make() {
-    return std::unique_ptr<ExactLabels>(new ExactLabelsKernel);
-}
-
-} // namespace
-} // namespace meniscus
 #pragma GCC pop_options
 #define MENISCUS_HAS_KERNEL 1
 #endif
@@ -38,7 +28,7 @@ std::unique_ptr<ExactLabels> exact_labels_avx512() {
     if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
         __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
         __builtin_cpu_supports("avx512vl"))
-        return make();
+        return make_exact_labels();
 #endif
     return nullptr;
 }

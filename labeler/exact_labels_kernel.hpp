@@ -36,5 +36,9 @@ private:
     ExactCoverage coverage;
 };
 
+inline std::unique_ptr<ExactLabels> make_exact_labels() {
+    return std::unique_ptr<ExactLabels>(new ExactLabelsKernel);
+}
+
 } // namespace MENISCUS_INSTRUCTION_SET
 } // namespace meniscus
