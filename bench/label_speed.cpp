@@ -12,9 +12,11 @@
 #include <meniscus/labeler/exact_labels.hpp>
 #include <meniscus/labeler/exact_reference.hpp>
 #include <meniscus/labeler/labeler.hpp>
+#include <meniscus/runtime/exact_coverage.hpp>
 #include <meniscus/runtime/features.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <exception>
 #include <stdexcept>
@@ -74,6 +76,29 @@ void exact_reference(benchmark::State& state, const Snapshot& snapshot) {
     });
 }
 
+/// How many particles need no arc to tell whether they are surface.
+void print_settled(const Snapshot& snapshot) {
+    const double h = *snapshot.support_radius;
+    const auto range = neighbor_range<double>(h, radius_ratio);
+    const NeighborGrid grid(snapshot.positions, h);
+    const CoverageCells cells;
+    ExactCoverage coverage;
+    FoundNeighbors found;
+    std::array<double, 3> counts{};
+    for (std::size_t place = 0; place < grid.size(); ++place) {
+        grid.find(place, found);
+        coverage.caps.clear();
+        for (const Direction& x : found.displacements)
+            if (range.contains(squared_length<double, 3>(x)))
+                add_cap<3>(coverage.caps, x, h, radius_ratio * h);
+        counts[static_cast<std::size_t>(settle(cells, coverage.caps, coverage.tests, false))] += 1;
+    }
+    for (double& count : counts)
+        count *= 100 / static_cast<double>(grid.size());
+    std::printf("Settled by cells: %.1f %% covered, %.1f %% not; undecided %.2f %%.\n\n", counts[0],
+                counts[1], counts[2]);
+}
+
 void measure(const std::string& file) {
     const Snapshot snapshot = read_snapshot(file);
     if (!snapshot.support_radius || snapshot.dimension != 3 || snapshot.size() == 0)
@@ -93,7 +118,8 @@ void measure(const std::string& file) {
         });
     MedianReporter reporter;
     benchmark::RunSpecifiedBenchmarks(&reporter);
-    std::printf("\n%s: %zu particles\n\n", file.c_str(), snapshot.size());
+    std::printf("\n%s: %zu particles. ", file.c_str(), snapshot.size());
+    print_settled(snapshot);
     print_medians(reporter);
     std::printf("\n| what | ratio of medians | value |\n|---|---|---|\n");
     print_ratio(reporter, "surface or not, against 1000 samples", "exact_surface", "samples_1000");
