@@ -104,13 +104,14 @@ TEST(ExactCoverageOfTheLabeler, EqualsDenseMonteCarlo) {
         fill_halton(dimension, 0, 0, directions);
         const DirectionBlocks blocks = compact_blocks(std::move(directions));
         Caps caps;
-        caps.radius_ratio = test_radius_ratio;
+        std::uniform_real_distribution<double> any_ratio(0.01, 0.99);
         for (int trial = 0; trial < 20000; ++trial) {
-            caps.displacements = random_neighborhood(generator, dimension);
+            caps.radius_ratio = trial % 2 == 0 ? test_radius_ratio : any_ratio(generator);
+            caps.displacements = random_neighborhood(generator, dimension, caps.radius_ratio);
             const double sampled =
                 static_cast<double>(count_uncovered(blocks, caps)) / static_cast<double>(samples);
             const double lambda =
-                exact->uncovered_fraction(dimension, caps.displacements, test_radius_ratio);
+                exact->uncovered_fraction(dimension, caps.displacements, caps.radius_ratio);
             ASSERT_LT(std::abs(sampled - lambda), 6 * standard_error(lambda, samples))
                 << dimension << "D, trial " << trial;
         }
