@@ -3,6 +3,7 @@
 #include EXPORTED
 
 #include <meniscus/runtime/classifier.hpp>
+#include <meniscus/runtime/exact_coverage.hpp>
 #include <meniscus/runtime/surface_coefficients.hpp>
 
 #include <array>
@@ -97,10 +98,35 @@ bool works(const std::vector<Vector>& positions) {
            surface.front() == 1 && surface.back() == 1 && surface.at(middle) == 0;
 }
 
+/// Exact coverage: a corner of the block is uncovered outwards, the middle is covered.
+bool covers(const std::vector<Vector>& positions) {
+    const meniscus::CoverageCells cells;
+    meniscus::ExactCoverage coverage;
+    const auto range = meniscus::neighbor_range<Real>(support_radius, 0.8);
+    const auto part_of = [&](const Vector& center) {
+        coverage.caps.clear();
+        for (const Vector& other : positions) {
+            const Vector displacement = between(center, other);
+            if (range.contains(squared(displacement)))
+                meniscus::add_cap<3>(coverage.caps, displacement, support_radius,
+                                     0.8 * support_radius);
+        }
+        return meniscus::uncovered_part<3>(cells, coverage);
+    };
+    constexpr int middle = edge / 2 * (1 + edge + edge * edge);
+    const auto corner = part_of(positions.front());
+    return corner.fraction > 0.4 && corner.moment[0] < 0 && corner.moment[1] < 0 &&
+           corner.moment[2] < 0 && part_of(positions.at(middle)).fraction == 0;
+}
+
 } // namespace
 
 int main() {
     const auto positions = block_of_particles();
+    if (!covers(positions)) {
+        std::puts("exact coverage is wrong");
+        return 1;
+    }
     if (works<meniscus::SurfaceCoefficients>(positions) && works<meniscus::Exported>(positions))
         return 0;
     std::puts("the ways to classify disagree");
