@@ -1,13 +1,13 @@
 #include "discrepancy.hpp"
 
+#include <meniscus/runtime/angles.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 namespace meniscus {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 std::vector<Direction> random_centers(std::size_t count) {
     std::vector<Direction> centers(count);

@@ -9,6 +9,7 @@
 #include "directions.hpp"
 
 #include <meniscus/data/neighbor_search.hpp>
+#include <meniscus/runtime/angles.hpp>
 #include <meniscus/runtime/random_directions.hpp>
 
 #include <algorithm>
@@ -17,7 +18,6 @@
 namespace meniscus {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr int steps = 10;
 /// How much of what two points lack in distance each gives in one step. With up to six neighbors
 /// all pushing, half would overshoot.

@@ -98,10 +98,6 @@ Work prepare_work(const Snapshot& snapshot, double support_radius, const LabelOp
     return work;
 }
 
-double squared(const Direction& x) {
-    return x[0] * x[0] + x[1] * x[1] + x[2] * x[2];
-}
-
 /// Gathers what covers the particle at a place of the grid, and its features.
 void gather_neighbors(const Work& work, std::size_t place, const Direction& center,
                       Workspace& workspace, Labels& labels) {
@@ -117,7 +113,7 @@ void gather_neighbors(const Work& work, std::size_t place, const Direction& cent
     work.grid->find(place, found);
     for (std::size_t n = 0; n < found.size(); ++n) {
         const Direction& displacement = found.displacements[n];
-        const double distance_squared = squared(displacement);
+        const double distance_squared = squared_length<double, 3>(displacement);
         const double mass = work.masses.empty() ? 1 : work.masses[found.particles[n]];
         sum.add(displacement, distance_squared, mass, work.range);
         if (work.range.contains(distance_squared))
@@ -126,7 +122,7 @@ void gather_neighbors(const Work& work, std::size_t place, const Direction& cent
     if (work.boundary) {
         work.boundary->find_around(center, found);
         for (const Direction& displacement : found.displacements) {
-            const double distance_squared = squared(displacement);
+            const double distance_squared = squared_length<double, 3>(displacement);
             if (work.boundary_counts)
                 sum.add(displacement, distance_squared, work.boundary_mass, work.range);
             if (work.range.contains(distance_squared))

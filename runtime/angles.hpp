@@ -93,10 +93,5 @@ inline std::array<double, 3> unit_vector(double turn) {
     return {x * scale, y * scale, 0};
 }
 
-/// A difference of two turn_orders as a part of a turn, in [0, 4).
-inline double forward_turn(double difference) {
-    return difference + 2 - std::copysign(2.0, difference);
-}
-
 } // namespace MENISCUS_INSTRUCTION_SET
 } // namespace meniscus

@@ -59,11 +59,5 @@ TEST(Angles, UnitVectorIsAtItsTurnOrder) {
     }
 }
 
-TEST(Angles, ForwardTurnGoesOneWay) {
-    EXPECT_EQ(forward_turn(0), 0);
-    EXPECT_EQ(forward_turn(1.5), 1.5);
-    EXPECT_EQ(forward_turn(-1), 3);
-}
-
 } // namespace
 } // namespace meniscus
