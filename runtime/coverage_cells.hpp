@@ -15,18 +15,20 @@
 namespace meniscus {
 inline namespace MENISCUS_INSTRUCTION_SET {
 
-/// Directions evenly spread over the sphere. One serves all callers.
-struct CoverageCells {
-    static constexpr std::size_t count = 128;
+/// `Count` directions evenly spread over the sphere. One serves all callers.
+template <std::size_t Count>
+struct CellDirections {
+    static_assert(Count == 128 || Count == 512);
+    static constexpr std::size_t count = Count;
     /// The farthest that any point of the sphere is from the nearest direction, rad, rounded up (a
     /// test computes it).
-    static constexpr double covering_radius = 0.2336;
+    static constexpr double covering_radius = Count == 128 ? 0.2336 : 0.1168;
 
     std::array<float, count> x, y, z;
     std::array<double, 2> cos_sin_radius; ///< cosine and sine of the covering radius
 
     /// A Fibonacci lattice, set back from the poles so that they are covered as well as the rest.
-    CoverageCells() : cos_sin_radius(cosine_and_sine_of_turn(covering_radius / (2 * pi))) {
+    CellDirections() : cos_sin_radius(cosine_and_sine_of_turn(covering_radius / (2 * pi))) {
         const double golden_turn = (3 - std::sqrt(5.0)) / 2;
         for (std::size_t k = 0; k < count; ++k) {
             const double height = 1 - 2 * (static_cast<double>(k) + 0.33) / (count - 0.34);
@@ -39,6 +41,8 @@ struct CoverageCells {
         }
     }
 };
+
+using CoverageCells = CellDirections<128>;
 
 /// What the cells tell of a particle.
 enum class Settled { covered, uncovered, undecided };

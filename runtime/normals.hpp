@@ -1,0 +1,170 @@
+// Normals of the surface particles. The uncovered part of a particle's sphere points out of the
+// fluid: its first moment, normalized, is the normal (2020 paper, eq. 3), which find_exposure
+// leaves in the list. Here they are made smoother: each is blended with the weighted sum of its
+// neighbors' (eqs. 4 to 6), any number of times. Or taken from the positions alone: the direction
+// in which the surface particles around spread least, the minor eigenvector of their covariance
+// (eq. 7), which has no side of its own and takes that of the sampled normal.
+#pragma once
+
+#include "surface_particles.hpp"
+
+namespace meniscus {
+inline namespace MENISCUS_INSTRUCTION_SET {
+
+template <class Real, int Dimension>
+MENISCUS_INLINE Real product(const std::array<Real, Dimension>& a,
+                             const std::array<Real, Dimension>& b) {
+    Real sum = 0;
+    for (int axis = 0; axis < Dimension; ++axis)
+        sum += a[axis] * b[axis];
+    return sum;
+}
+
+/// The vector divided by its length; zero where that is too small to have a direction.
+template <class Real, int Dimension>
+MENISCUS_INLINE std::array<Real, Dimension> normalized(const std::array<Real, Dimension>& vector) {
+    const Real length = std::sqrt(product<Real, Dimension>(vector, vector));
+    const Real scale = length > static_cast<Real>(least_exposure) ? 1 / length : 0;
+    std::array<Real, Dimension> unit;
+    for (int axis = 0; axis < Dimension; ++axis)
+        unit[axis] = vector[axis] * scale;
+    return unit;
+}
+
+/// One smoothing pass (eqs. 4 to 6): (1 - tau) n_i + tau sum_j W n_j, normalized; `tau` in [0, 1].
+/// Normals that are zero stay so. `before` is working memory.
+template <class Real, int Dimension, class Loop>
+void smooth_normals(double tau, const Loop& loop, SurfaceParticles<Real, Dimension>& list,
+                    std::vector<std::array<Real, Dimension>>& before) {
+    before.resize(list.size());
+    before.swap(list.normal);
+    const auto share = static_cast<Real>(tau);
+    loop(list.size(), [&](std::size_t begin, std::size_t end, int /*worker*/) {
+        for (std::size_t slot = begin; slot < end; ++slot) {
+            std::array<Real, Dimension> sum = {};
+            const auto* pair = list.pairs.data() + list.pairs_begin[slot];
+            for (const auto* last = pair + list.pairs_count[slot]; pair != last; ++pair)
+                for (int axis = 0; axis < Dimension; ++axis)
+                    sum[axis] += pair->weight * before[pair->slot][axis];
+            for (int axis = 0; axis < Dimension; ++axis)
+                sum[axis] = (1 - share) * before[slot][axis] + share * sum[axis];
+            const bool has_normal = list.exposure[slot] > static_cast<Real>(least_exposure);
+            list.normal[slot] = has_normal ? normalized<Real, Dimension>(sum) : before[slot];
+        }
+    });
+}
+
+namespace normals {
+
+/// The cubic spline of SPH (Monaghan 1992), without its normalization; `q` is the distance over the
+/// support radius.
+template <class Real>
+MENISCUS_INLINE Real cubic_spline(Real q) {
+    if (q >= 1)
+        return 0;
+    const Real rest = 1 - q;
+    return q <= static_cast<Real>(0.5) ? 6 * q * q * (q - 1) + 1 : 2 * rest * rest * rest;
+}
+
+/// The unit eigenvector of the smallest eigenvalue of a symmetric matrix, by Jacobi rotations.
+template <int Dimension>
+Vector3 minor_eigenvector(std::array<std::array<double, Dimension>, Dimension> matrix) {
+    std::array<Vector3, 3> vectors = {Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}};
+    for (int sweep = 0; sweep < 8; ++sweep)
+        for (int a = 0; a < Dimension; ++a)
+            for (int b = a + 1; b < Dimension; ++b) {
+                if (matrix[a][b] == 0)
+                    continue;
+                const double half = (matrix[b][b] - matrix[a][a]) / (2 * matrix[a][b]);
+                const double tangent =
+                    std::copysign(1, half) / (std::fabs(half) + std::sqrt(half * half + 1));
+                const double cosine = 1 / std::sqrt(tangent * tangent + 1);
+                const double sine = tangent * cosine;
+                for (int k = 0; k < Dimension; ++k) {
+                    const double of_a = matrix[k][a];
+                    matrix[k][a] = cosine * of_a - sine * matrix[k][b];
+                    matrix[k][b] = sine * of_a + cosine * matrix[k][b];
+                }
+                for (int k = 0; k < Dimension; ++k) {
+                    const double of_a = matrix[a][k];
+                    matrix[a][k] = cosine * of_a - sine * matrix[b][k];
+                    matrix[b][k] = sine * of_a + cosine * matrix[b][k];
+                }
+                const Vector3 of_a = vectors[a];
+                vectors[a] = difference(scaled(cosine, of_a), scaled(sine, vectors[b]));
+                vectors[b] = sum(scaled(sine, of_a), scaled(cosine, vectors[b]));
+            }
+    int least = 0;
+    for (int a = 1; a < Dimension; ++a)
+        if (matrix[a][a] < matrix[least][least])
+            least = a;
+    return vectors[least];
+}
+
+/// Weighted covariance of the surface particles around a slot, itself included (eq. 7).
+template <class Real, int Dimension>
+Vector3 flattest_direction(const SurfaceParticles<Real, Dimension>& list, std::size_t slot) {
+    const auto* first = list.pairs.data() + list.pairs_begin[slot];
+    const auto* last = first + list.pairs_count[slot];
+    const auto is_surface = [&](const auto& pair) {
+        return list.surface_class[pair.slot] == SurfaceClass::surface;
+    };
+    std::array<double, Dimension> center = {};
+    double count = 1;
+    for (const auto* pair = first; pair != last; ++pair)
+        if (is_surface(*pair)) {
+            for (int axis = 0; axis < Dimension; ++axis)
+                center[axis] += static_cast<double>(pair->step[axis]);
+            ++count;
+        }
+    for (double& coordinate : center)
+        coordinate /= count;
+    std::array<std::array<double, Dimension>, Dimension> covariance = {};
+    const auto add = [&](const std::array<double, Dimension>& step) {
+        std::array<double, Dimension> v;
+        for (int axis = 0; axis < Dimension; ++axis)
+            v[axis] = step[axis] - center[axis];
+        const double weight = cubic_spline(std::sqrt(product<double, Dimension>(v, v)));
+        for (int a = 0; a < Dimension; ++a)
+            for (int b = 0; b < Dimension; ++b)
+                covariance[a][b] += weight * v[a] * v[b];
+    };
+    add({});
+    for (const auto* pair = first; pair != last; ++pair)
+        if (is_surface(*pair)) {
+            std::array<double, Dimension> step;
+            for (int axis = 0; axis < Dimension; ++axis)
+                step[axis] = static_cast<double>(pair->step[axis]);
+            add(step);
+        }
+    return minor_eigenvector<Dimension>(covariance);
+}
+
+} // namespace normals
+
+/// Mixes normals from the positions of the surface particles (eq. 7) into the sampled ones:
+/// (1 - share) of these, `share` in [0, 1]. A particle with fewer surface particles around than
+/// there are dimensions keeps its own. Apply before smoothing.
+template <class Real, int Dimension, class Loop>
+void mix_in_covariance_normals(double share, const Loop& loop,
+                               SurfaceParticles<Real, Dimension>& list) {
+    loop(list.size(), [&](std::size_t begin, std::size_t end, int /*worker*/) {
+        for (std::size_t slot = begin; slot < end; ++slot) {
+            if (list.pairs_count[slot] < Dimension || !(list.exposure[slot] > static_cast<Real>(least_exposure)))
+                continue;
+            const Vector3 flattest = normals::flattest_direction(list, slot);
+            auto& normal = list.normal[slot];
+            double side = 0;
+            for (int axis = 0; axis < Dimension; ++axis)
+                side += flattest[axis] * static_cast<double>(normal[axis]);
+            const double part = std::copysign(share, side);
+            for (int axis = 0; axis < Dimension; ++axis)
+                normal[axis] = static_cast<Real>((1 - share) * static_cast<double>(normal[axis]) +
+                                                 part * flattest[axis]);
+            normal = normalized<Real, Dimension>(normal);
+        }
+    });
+}
+
+} // namespace MENISCUS_INSTRUCTION_SET
+} // namespace meniscus

@@ -1,0 +1,86 @@
+// The force of surface tension on the surface particles.
+//
+// Two forms. The paper's: -sigma kappa n (2020 paper, section 3), a force per area, here times the
+// face of a particle, its volume to the power (D - 1) / D; sigma is then a parameter to be tuned,
+// as it is in the paper. The calibrated one, in which sigma in N/m means what it says: the
+// Young-Laplace law puts the pressure (D - 1) sigma kappa on each piece of the surface, since the
+// sum of the principal curvatures counts and kappa is their mean, and each particle carries the
+// piece
+//     A_i = w_i / sum_j w_j K(x_j - x_i)
+// of the sheet through the outermost particles: K is a kernel on the sheet whose integral is 1, the
+// sum runs over i itself and the surface particles on its side, and w is the exposure weight, so
+// that pieces go to those who are exposed. The fluid's surface lies half a spacing outside of that
+// sheet and is larger by (1 + kappa_sheet spacing / 2)^(D - 1). In two dimensions forces are per
+// depth, N/m.
+#pragma once
+
+#include "curvature_map.hpp"
+
+namespace meniscus {
+inline namespace MENISCUS_INSTRUCTION_SET {
+
+/// Which of the two forms.
+enum class ForceForm { paper, calibrated };
+
+namespace surface_force {
+
+/// What the kernel's sum falls short of where particles stand no closer than they do in a fluid:
+/// measured on relaxed and on lattice spheres (docs/surface_tension.md).
+inline constexpr double area_correction = 1.0125;
+
+/// The integral of W = 1 - r / h over the sheet, in units of h^(D - 1).
+template <int Dimension>
+constexpr double kernel_integral = Dimension == 2 ? 1.0 : pi / 3;
+
+/// Part of the sheet that the particle in a slot carries, in units of h^(D - 1).
+template <class Real, int Dimension>
+MENISCUS_INLINE Real sheet_area(const SurfaceParticles<Real, Dimension>& list, std::size_t slot) {
+    const Real own = list.weight[slot];
+    Real sum = own;
+    const auto* pair = list.pairs.data() + list.pairs_begin[slot];
+    for (const auto* last = pair + list.pairs_count[slot]; pair != last; ++pair) {
+        const bool same_side =
+            product<Real, Dimension>(list.normal[slot], list.normal[pair->slot]) > 0;
+        sum += same_side ? list.weight[pair->slot] * pair->weight : 0;
+    }
+    constexpr auto scale = static_cast<Real>(area_correction * kernel_integral<Dimension>);
+    return own > 0 ? scale * own / sum : 0;
+}
+
+} // namespace surface_force
+
+/// What turns curvature into a force.
+struct ForceOptions {
+    ForceForm form = ForceForm::calibrated;
+    double surface_tension = 0.072; ///< sigma in N/m
+    double particle_spacing = 0;    ///< m, the root of a particle's volume at rest
+};
+
+/// Sets the force on each surface particle from its normal and its curvature; 0 where covered.
+template <class Real, int Dimension, class Radii, class Loop>
+void find_force(const ForceOptions& options, const Radii& radii, const Loop& loop,
+                SurfaceParticles<Real, Dimension>& list) {
+    using namespace surface_force;
+    const auto sigma = static_cast<Real>(options.surface_tension);
+    const auto spacing = static_cast<Real>(options.particle_spacing);
+    const Real face = Dimension == 2 ? spacing : spacing * spacing;
+    loop(list.size(), [&](std::size_t begin, std::size_t end, int /*worker*/) {
+        for (std::size_t slot = begin; slot < end; ++slot) {
+            const Real radius = radii.of(list.particle[slot]);
+            const Real pressure = sigma * list.curvature[slot] / radius;
+            Real size = pressure * face * list.weight[slot];
+            if (options.form == ForceForm::calibrated) {
+                const Real outside = 1 + list.turning[slot] / radius * spacing / 2;
+                const Real stretch = Dimension == 2 ? outside : outside * outside;
+                const Real area =
+                    sheet_area(list, slot) * stretch * (Dimension == 2 ? radius : radius * radius);
+                size = (Dimension - 1) * pressure * area;
+            }
+            for (int axis = 0; axis < Dimension; ++axis)
+                list.force[slot][axis] = -size * list.normal[slot][axis];
+        }
+    });
+}
+
+} // namespace MENISCUS_INSTRUCTION_SET
+} // namespace meniscus
