@@ -34,6 +34,13 @@ struct CircleMemory {
         for (auto* values : {&entry, &length, &begin, &reach})
             values->resize(count);
     }
+
+    /// Room for so many caps: between n arcs that are covered lie at most n open ones.
+    void reserve(std::size_t capacity) {
+        arcs.reserve(capacity + 1);
+        for (auto* values : {&entry, &length, &begin, &reach})
+            values->reserve(padded_to_wide(capacity));
+    }
 };
 
 /// Where a circle lies open.

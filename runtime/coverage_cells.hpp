@@ -57,6 +57,13 @@ struct CellTests {
     std::vector<float> misses;         ///< below which the cap misses the direction
     std::vector<float> meets_cell;     ///< beyond which the cap meets the cell
     std::vector<std::int32_t> is_near; ///< not 0 for caps that meet a cell not held
+
+    /// Room for so many caps.
+    void reserve(std::size_t capacity) {
+        for (auto* values : {&x, &y, &z, &holds_cell, &misses, &meets_cell})
+            values->reserve(capacity + chunk);
+        is_near.reserve(capacity + chunk);
+    }
 };
 
 namespace coverage_cells {

@@ -31,10 +31,16 @@ struct CoveringCaps {
 
     void clear() { count = 0; }
 
+    /// Room for so many.
+    void reserve(std::size_t capacity) {
+        if (capacity + wide_count >= x.size())
+            for (auto* values : {&x, &y, &z, &cosine, &sine})
+                values->resize(capacity + wide_count + 1);
+    }
+
     void add(const Vector3& middle, double cosine_of_radius, double sine_of_radius) {
         if (count + wide_count >= x.size())
-            for (auto* values : {&x, &y, &z, &cosine, &sine})
-                values->resize(2 * count + 64);
+            reserve(2 * count + 64);
         set(count++, middle, cosine_of_radius, sine_of_radius);
     }
 

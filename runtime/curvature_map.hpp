@@ -18,6 +18,7 @@ inline namespace MENISCUS_INSTRUCTION_SET {
 /// the surface particles around: h kappa = sum of coefficients times 1, t, t^2, t^3, q, t q.
 struct CurvatureMap {
     static constexpr int terms = 6;
+    int dimension;
     double coefficients[terms];
     double least; ///< of t in training; beyond it goes on along the tangent
     double largest;
@@ -27,6 +28,7 @@ struct CurvatureMap {
 template <class Coefficients>
 CurvatureMap curvature_map() {
     CurvatureMap map{};
+    map.dimension = Coefficients::dimension;
     for (int term = 0; term < CurvatureMap::terms; ++term)
         map.coefficients[term] = Coefficients::coefficients[term];
     map.least = Coefficients::least;

@@ -38,6 +38,14 @@ struct ExactCoverage {
     CellTests tests;
     CoveringCaps near, far; ///< the caps that meet a cell not held, and the others
     CircleMemory circle;
+
+    /// Room for so many caps; up to that nothing is allocated.
+    void reserve(std::size_t capacity) {
+        for (CoveringCaps* some : {&caps, &near, &far})
+            some->reserve(capacity);
+        tests.reserve(capacity);
+        circle.reserve(capacity);
+    }
 };
 
 namespace exact_coverage {

@@ -31,16 +31,12 @@ struct BodyParticles {
     const Real* positions;
     const std::uint32_t* bodies; ///< label of the body of each, any particle of it; BodyFinder
     const std::uint8_t* at_wall; ///< not 0: the body is not free; nullptr where all are
-    const Real* weights;         ///< in any unit; forces change where positive and finite
 
     [[nodiscard]] Vector3 position(std::size_t i) const {
         return vector_at(positions + i * Stride);
     }
     [[nodiscard]] bool is_free(std::size_t i) const {
         return at_wall == nullptr || at_wall[i] == 0;
-    }
-    [[nodiscard]] bool may_change(std::size_t i) const {
-        return is_positive_and_finite(weights[i]);
     }
 
     static Vector3 vector_at(const Real* coordinates) {
@@ -142,6 +138,19 @@ private:
     }
 };
 
+/// The particles that carry forces: one entry each, in the order of `particles`.
+template <class Real>
+struct BodyForces {
+    const std::uint32_t* particles; ///< each listed once; the others count as without force
+    std::size_t size;
+    const Real* weights; ///< in any unit; forces change where positive and finite
+    Real* forces;        ///< N, one after another with Dimension values each
+
+    [[nodiscard]] bool may_change(std::size_t n) const {
+        return is_positive_and_finite(weights[n]);
+    }
+};
+
 /// Takes net force and torque out of free bodies, with memory of its own: one for each concurrent
 /// caller.
 class MomentumBalance {
@@ -154,18 +163,16 @@ public:
         sums.reserve(bodies);
     }
 
-    /// Changes forces[i * Dimension ...] (N) of the `size` particles in `list`, each listed once:
-    /// the others count as without force. Particles without weight keep theirs, but it counts. Net
-    /// force and torque fall to the rounding of Real; only a body thinner than about 1e-6 of its
-    /// length, which counts as a line, may keep a torque about it.
+    /// Changes listed.forces. Particles without weight keep theirs, but it counts. Net force and
+    /// torque fall to the rounding of Real; only a body thinner than about 1e-6 of its length, which
+    /// counts as a line, may keep a torque about it.
     template <class Real, int Dimension, int Stride, class Loop>
     void remove_net_force(const BodyParticles<Real, Dimension, Stride>& particles,
-                          const std::uint32_t* list, std::size_t size, const Loop& loop,
-                          Real* forces) {
+                          const BodyForces<Real>& listed, const Loop& loop) {
         constexpr int most_passes = 3;
         bool again = true;
         for (int pass = 0; again && pass < most_passes; ++pass)
-            again = correct_all(particles, list, size, loop, forces);
+            again = correct_all(particles, listed, loop);
     }
 
 private:
@@ -191,17 +198,17 @@ private:
     /// Returns true where a second time would leave notably less.
     template <class Real, int Dimension, int Stride, class Loop>
     bool correct_all(const BodyParticles<Real, Dimension, Stride>& particles,
-                     const std::uint32_t* list, std::size_t size, const Loop& loop, Real* forces) {
-        add_up(particles, list, size, forces);
+                     const BodyForces<Real>& listed, const Loop& loop) {
+        add_up(particles, listed);
         bool needles = false;
         for (BodySums& body : sums) {
             body.balance();
             needles |= body.is_needle();
         }
-        loop(size, [&](std::size_t begin, std::size_t end, int /*worker*/) {
+        loop(listed.size, [&](std::size_t begin, std::size_t end, int /*worker*/) {
             for (std::size_t n = begin; n < end; ++n)
-                if (particles.is_free(list[n]) && particles.may_change(list[n]))
-                    correct(particles, list[n], forces + std::size_t{list[n]} * Dimension);
+                if (particles.is_free(listed.particles[n]) && listed.may_change(n))
+                    correct(particles, listed, n);
         });
         for (const BodySums& body : sums)
             places[body.body] = none;
@@ -212,26 +219,28 @@ private:
     /// In the order of the list and on one thread: it costs less than to divide it and add up parts
     /// in an order that does not depend on the threads.
     template <class Real, int Dimension, int Stride>
-    void add_up(const BodyParticles<Real, Dimension, Stride>& particles, const std::uint32_t* list,
-                std::size_t size, const Real* forces) {
-        for (std::size_t n = 0; n < size; ++n) {
-            const std::uint32_t i = list[n];
+    void add_up(const BodyParticles<Real, Dimension, Stride>& particles,
+                const BodyForces<Real>& listed) {
+        for (std::size_t n = 0; n < listed.size; ++n) {
+            const std::uint32_t i = listed.particles[n];
             if (!particles.is_free(i))
                 continue;
             BodySums& body = sums_of(particles, i);
             const Vector3 position = difference(particles.position(i), body.origin);
-            body.add_force(position, particles.vector_at(forces + std::size_t{i} * Dimension));
-            if (particles.may_change(i))
-                body.add_weight(position, particles.weights[i]);
+            body.add_force(position, particles.vector_at(listed.forces + n * Dimension));
+            if (listed.may_change(n))
+                body.add_weight(position, listed.weights[n]);
         }
     }
 
     template <class Real, int Dimension, int Stride>
-    void correct(const BodyParticles<Real, Dimension, Stride>& particles, std::uint32_t i,
-                 Real* force) const {
+    void correct(const BodyParticles<Real, Dimension, Stride>& particles,
+                 const BodyForces<Real>& listed, std::size_t n) const {
+        const std::uint32_t i = listed.particles[n];
         const BodySums& body = sums[places[particles.bodies[i]]];
         const Vector3 position = difference(particles.position(i), body.origin);
-        const Vector3 change = body.correction(position, particles.weights[i]);
+        const Vector3 change = body.correction(position, listed.weights[n]);
+        Real* force = listed.forces + n * Dimension;
         for (int axis = 0; axis < Dimension; ++axis)
             force[axis] = static_cast<Real>(force[axis] - change[axis]);
     }

@@ -88,16 +88,25 @@ struct SurfaceParticles {
 
     [[nodiscard]] std::size_t size() const { return particle.size(); }
 
+    void reserve_slots(std::size_t count, std::size_t pair_count) {
+        particle.reserve(count);
+        surface_class.reserve(count);
+        for (auto* values : {&uncovered_fraction, &exposure, &weight, &turning, &curvature})
+            values->reserve(count);
+        for (auto* vectors : {&normal, &force})
+            vectors->reserve(count);
+        for (auto* counts : {&pairs_begin, &pairs_count})
+            counts->reserve(count);
+        pairs.reserve(pair_count + 1);
+    }
+
     /// One entry a slot in everything; room for so many pairs.
     void resize_slots(std::size_t pair_count) {
         surface_class.resize(size());
-        uncovered_fraction.resize(size());
-        exposure.resize(size());
-        weight.resize(size());
-        turning.resize(size());
-        normal.resize(size());
-        curvature.resize(size());
-        force.resize(size());
+        for (auto* values : {&uncovered_fraction, &exposure, &weight, &turning, &curvature})
+            values->resize(size());
+        for (auto* vectors : {&normal, &force})
+            vectors->resize(size());
         pairs_count.resize(size());
         pairs.resize(pair_count + 1);
     }
@@ -139,6 +148,13 @@ struct ExposureMemory {
     SampledCaps caps;
     std::vector<float> hold_limits;
     ExactCoverage exact;
+
+    /// Room for so many neighbors of a particle.
+    void reserve(std::size_t neighbors) {
+        caps.reserve(neighbors);
+        hold_limits.reserve(caps.x.size());
+        exact.reserve(neighbors);
+    }
 };
 
 /// What does not change from particle to particle.

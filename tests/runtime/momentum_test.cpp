@@ -45,9 +45,8 @@ struct Bodies {
         MomentumBalance balance;
         balance.remove_net_force(
             BodyParticles<Real, Dimension, Stride>{positions.data(), labels.data(),
-                                                   at_wall.empty() ? nullptr : at_wall.data(),
-                                                   weights.data()},
-            list.data(), list.size(), loop, forces.data());
+                                                   at_wall.empty() ? nullptr : at_wall.data()},
+            BodyForces<Real>{list.data(), list.size(), weights.data(), forces.data()}, loop);
     }
 
     [[nodiscard]] Vector3 position(std::size_t i) const {
@@ -376,9 +375,10 @@ TEST(Momentum, BalanceIsUsedAgain) {
         for (std::uint32_t& label : state.labels)
             label += 1000 * seed;
         balance.remove_net_force(
-            BodyParticles<double, 3>{state.positions.data(), state.labels.data(), nullptr,
-                                     state.weights.data()},
-            state.list.data(), state.list.size(), SerialLoop{}, state.forces.data());
+            BodyParticles<double, 3>{state.positions.data(), state.labels.data(), nullptr},
+            BodyForces<double>{state.list.data(), state.list.size(), state.weights.data(),
+                               state.forces.data()},
+            SerialLoop{});
         EXPECT_EQ(state.forces, fresh.forces);
     }
 }
