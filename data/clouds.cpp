@@ -68,7 +68,7 @@ Region region_of(const Shape& shape, const CloudOptions& options) {
     return {shape, thickness, common_part(shape.box_around(endless ? thickness : 0), shape.patch)};
 }
 
-/// Number of particles that the box would hold, 1 at least along each axis.
+/// Number of particles that the box would hold.
 double count_in(const Box& box, double spacing, int dimension) {
     double count = 1;
     for (int axis = 0; axis < dimension; ++axis)
@@ -100,9 +100,13 @@ void check_share(double value, const std::string& what) {
         throw InputError(what + " must be at least 0 and below 1, found " + number_text(value));
 }
 
-void check_count(double count, const std::string& where, double spacing) {
+/// Counts at least one particle along each axis, however thin the box.
+void check_count(Box box, const std::string& what, double spacing, int dimension) {
+    for (int axis = 0; axis < dimension; ++axis)
+        box.high[axis] = std::max(box.high[axis], box.low[axis] + spacing);
+    const double count = count_in(box, spacing, dimension);
     if (!(count <= largest_count))
-        throw InputError("the box around the " + where + " holds " + rounded_text(count, 3) +
+        throw InputError("the box around the " + what + " holds " + rounded_text(count, 3) +
                          " particles of spacing " + number_text(spacing) +
                          " m, at most 5e8 are filled; are both in m?");
 }
@@ -184,20 +188,30 @@ Lattice random_lattice(const Box& box, const CloudOptions& options, int dimensio
 
 /// Which points of a line, start + k step with k from `first` to `last`, may lie in the box.
 struct LinePart {
-    double first, last;
+    std::int64_t first, last;
 };
 
+LinePart whole_numbers(double first, double last) {
+    if (!(first <= last))
+        return {0, -1};
+    return {static_cast<std::int64_t>(std::floor(first)),
+            static_cast<std::int64_t>(std::ceil(last))};
+}
+
 LinePart part_in(const Box& box, const Vector3& start, const Vector3& step, int dimension) {
-    LinePart part{-infinity, infinity};
+    double first = -infinity;
+    double last = infinity;
     for (int axis = 0; axis < dimension; ++axis) {
         const double a = (box.low[axis] - start[axis]) / step[axis];
         const double b = (box.high[axis] - start[axis]) / step[axis];
-        if (step[axis] != 0)
-            part = {std::max(part.first, std::min(a, b)), std::min(part.last, std::max(a, b))};
-        else if (start[axis] < box.low[axis] || start[axis] > box.high[axis])
-            part = {infinity, -infinity};
+        if (step[axis] != 0) {
+            first = std::max(first, std::min(a, b));
+            last = std::min(last, std::max(a, b));
+        } else if (start[axis] < box.low[axis] || start[axis] > box.high[axis]) {
+            return {0, -1};
+        }
     }
-    return {std::floor(part.first), std::ceil(part.last)};
+    return whole_numbers(first, last);
 }
 
 /// Whether a place lies in a box, its lower sides included and its upper ones not, so that it lies
@@ -222,17 +236,18 @@ void visit_lattice_in_block(const Lattice& lattice, const Box& block, int dimens
             return {0, 0};
         const double middle = dot(difference(center, lattice.origin), step) / square;
         const double reach = std::sqrt(dot(half, half) / square);
-        return {std::floor(middle - reach), std::ceil(middle + reach)};
+        return whole_numbers(middle - reach, middle + reach);
     };
     const LinePart layers = range_along(2);
     const LinePart lines = range_along(1);
-    for (double layer = layers.first; layer <= layers.last; ++layer)
-        for (double line = lines.first; line <= lines.last; ++line) {
-            const Vector3 start = sum(
-                lattice.origin, sum(scaled(line, lattice.step[1]), scaled(layer, lattice.step[2])));
+    for (std::int64_t layer = layers.first; layer <= layers.last; ++layer)
+        for (std::int64_t line = lines.first; line <= lines.last; ++line) {
+            const Vector3 start =
+                sum(lattice.origin, sum(scaled(static_cast<double>(line), lattice.step[1]),
+                                        scaled(static_cast<double>(layer), lattice.step[2])));
             const LinePart part = part_in(block, start, lattice.step[0], dimension);
-            for (double k = part.first; k <= part.last; ++k) {
-                const Vector3 point = sum(start, scaled(k, lattice.step[0]));
+            for (std::int64_t k = part.first; k <= part.last; ++k) {
+                const Vector3 point = sum(start, scaled(static_cast<double>(k), lattice.step[0]));
                 if (holds(block, point, dimension))
                     visit(point);
             }
@@ -460,8 +475,7 @@ double support_radius_in_spacings(double mean_neighbors, int dimension, Arrangem
 Cloud fill(const Shape& shape, const CloudOptions& options) {
     check_options(shape, options);
     const Region region = region_of(shape, options);
-    check_count(count_in(region.box, options.spacing, shape.dimension), shape.name,
-                options.spacing);
+    check_count(region.box, shape.name, options.spacing, shape.dimension);
     Cloud cloud;
     cloud.dimension = shape.dimension;
     cloud.spacing = options.spacing;
@@ -483,11 +497,10 @@ Positions random_neighborhood(const Shape& shape, const std::array<double, 3>& p
                              number_text(coordinate));
     const Vector3 half{radius, radius, shape.dimension == 3 ? radius : 0};
     const Box box{scaled(-1, half), half};
-    const double count = count_in(box, spacing, shape.dimension);
-    check_count(count, "neighborhood", spacing);
+    check_count(box, "neighborhood", spacing, shape.dimension);
     RandomNumbers random(seed, in_volume);
     Positions positions{place};
-    for (auto left = std::llround(count); left > 0; --left) {
+    for (auto left = std::llround(count_in(box, spacing, shape.dimension)); left > 0; --left) {
         const Vector3 step = random.next_in(box);
         const Vector3 there = sum(place, step);
         if (dot(step, step) < radius * radius && in_fluid(shape, there))

@@ -233,9 +233,10 @@ Vector3 nearest_on_quadric(const Vector3& true_place, const Quadric& quadric) {
         double next = t + height / (1 + 4 * (x * x * x_scale + y * y * y_scale));
         if (!(next >= low && next <= high))
             next = (low + high) / 2;
-        if (next == t)
-            break;
+        const double change = std::fabs(next - t);
         t = next;
+        if (change <= 1e-16 * (std::fabs(t) + std::fabs(place[2])))
+            break;
     }
     const double x = place[0] / (1 - 2 * quadric.A * t);
     const double y = place[1] / (1 - 2 * quadric.B * t);

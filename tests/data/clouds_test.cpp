@@ -82,35 +82,31 @@ CloudOptions with_layer_of_6(const Shape& shape, CloudOptions options) {
     return options;
 }
 
-TEST(Clouds, HoldAsManyParticlesAsTheirVolume) {
-    for (const Filled& filled : filled_shapes())
-        for (const Arrangement arrangement : arrangements) {
-            const CloudOptions options = with_layer_of_6(filled.shape, options_of(arrangement));
-            const auto count = static_cast<double>(fill(filled.shape, options).size());
-            const double tolerance = arrangement == Arrangement::random
-                                         ? 4 * std::sqrt(filled.volume)
-                                         : 0.02 * filled.volume;
-            EXPECT_NEAR(count, filled.volume, tolerance)
-                << filled.shape.name << " " << static_cast<int>(arrangement);
-        }
+void expect_known_surface(const Cloud& cloud, const Shape& shape) {
+    ASSERT_EQ(cloud.normal.size(), cloud.size());
+    ASSERT_EQ(cloud.mean_curvature.size(), cloud.size());
+    for (std::size_t i = 0; i < cloud.size(); ++i) {
+        const SurfacePoint point = nearest_surface_point(shape, cloud.positions[i]);
+        ASSERT_TRUE(in_fluid(shape, cloud.positions[i])) << shape.name;
+        ASSERT_GE(cloud.depth[i], 0);
+        ASSERT_EQ(cloud.depth[i], -point.signed_distance);
+        ASSERT_EQ(cloud.normal[i], point.normal);
+        ASSERT_EQ(cloud.mean_curvature[i], point.mean_curvature);
+    }
 }
 
-TEST(Clouds, LieInTheFluidAndKnowTheirSurface) {
+TEST(Clouds, FillTheirVolumeAndKnowTheirSurface) {
     for (const Filled& filled : filled_shapes())
         for (const Arrangement arrangement : arrangements) {
             CloudOptions options = with_layer_of_6(filled.shape, options_of(arrangement));
             options.jitter = 0.3;
             const Cloud cloud = fill(filled.shape, options);
-            ASSERT_EQ(cloud.normal.size(), cloud.size());
-            ASSERT_EQ(cloud.mean_curvature.size(), cloud.size());
-            for (std::size_t i = 0; i < cloud.size(); ++i) {
-                const SurfacePoint point = nearest_surface_point(filled.shape, cloud.positions[i]);
-                ASSERT_TRUE(in_fluid(filled.shape, cloud.positions[i])) << filled.shape.name;
-                ASSERT_GE(cloud.depth[i], 0);
-                ASSERT_EQ(cloud.depth[i], -point.signed_distance);
-                ASSERT_EQ(cloud.normal[i], point.normal);
-                ASSERT_EQ(cloud.mean_curvature[i], point.mean_curvature);
-            }
+            const double tolerance = arrangement == Arrangement::random
+                                         ? 4 * std::sqrt(filled.volume)
+                                         : 0.02 * filled.volume;
+            EXPECT_NEAR(static_cast<double>(cloud.size()), filled.volume, tolerance)
+                << filled.shape.name << " " << static_cast<int>(arrangement);
+            expect_known_surface(cloud, filled.shape);
         }
 }
 
@@ -349,6 +345,13 @@ TEST(Clouds, RefusesOptionsThatMakeNoCloud) {
     }
     expect_mentions(refusal(shape, [](auto& o) { o.spacing = 1e-3; }), {"sphere", "5e8", "0.001"});
     expect_mentions(refusal(shape, [](auto& o) { o.spacing = 1e-200; }), {"sphere", "5e8"});
+    // Many, however thin: would take years to look through.
+    expect_mentions(error_of<InputError>([] {
+                        CloudOptions options = options_of(Arrangement::lattice);
+                        options.thickness = 1e-6;
+                        fill(plane(1e12, 2), options);
+                    }),
+                    {"plane", "5e8"});
     expect_mentions(refusal(shape, [](auto& o) { o.spacing = 11; }), {"sphere", "10.0", "11.0"});
     expect_mentions(refusal(shape,
                             [](auto& o) {
