@@ -21,9 +21,9 @@ enum class Arrangement {
     lattice, ///< cubic, in two dimensions square, turned and shifted at random
     /// As a solver with surface tension leaves them. The outermost layer lies half a spacing deep
     /// and is packed more densely than the rest: at h = 2.15 spacings its particles have 28
-    /// neighbors, 28 and 29 in the droplets of data/samples. Inside, 41 +- 2.2 (41 +- 2.3). There
-    /// the nearest neighbor is 0.95 spacings away, in the droplets 0.8 to 0.9, as it is with a
-    /// jitter of 0.1 to 0.2.
+    /// neighbors, in the droplets of data/samples 28 and 29. Inside, it is 41 +- 2.2, in
+    /// droplet_iisph_14 41 +- 2.3. There the nearest neighbor is 0.95 spacings away, in the
+    /// droplets 0.8 to 0.9; a jitter between 0.1 and 0.3 brings it as close.
     relaxed,
 };
 

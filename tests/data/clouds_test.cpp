@@ -200,45 +200,81 @@ TEST(Clouds, LatticeIsOneHoweverItIsTurned) {
     EXPECT_NE(fill(sphere(10), other).positions, cloud.positions);
 }
 
-/// Particles whose neighbors' center of mass is more than 0.2 h away: the outermost. How many
-/// neighbors they have, and how far the nearest is, in h.
-struct Outermost {
-    double count, nearest;
+/// Particles by number of neighbors and distance of the nearest (in h): the outermost, whose
+/// neighbors' center of mass is more than 0.2 h away, and those that have none of them for
+/// neighbor.
+struct Layers {
+    std::vector<double> outer_count, outer_nearest, inner_count, inner_nearest;
 };
 
-Outermost outermost_of(const Positions& positions, double h) {
-    const NeighborGrid grid(positions, h);
-    FoundNeighbors found;
-    std::vector<double> counts;
-    std::vector<double> distances;
-    for (std::size_t place = 0; place < grid.size(); ++place) {
-        grid.find(place, found);
+Layers layers_of(const Positions& positions, double h) {
+    const NeighborLists lists = find_neighbors(positions, h);
+    std::vector<double> nearest(positions.size(), 1);
+    std::vector<std::uint8_t> outer(positions.size());
+    const auto visit_neighbors = [&](std::size_t i, auto&& visit) {
+        for (std::size_t k = lists.offsets[i]; k < lists.offsets[i + 1]; ++k)
+            visit(lists.neighbors[k]);
+    };
+    for (std::size_t i = 0; i < positions.size(); ++i) {
         std::array<double, 3> total{};
-        double nearest = h;
-        for (const auto& displacement : found.displacements) {
-            nearest =
-                std::min(nearest, std::hypot(displacement[0], displacement[1], displacement[2]));
-            for (int axis = 0; axis < 3; ++axis)
+        visit_neighbors(i, [&](std::uint32_t j) {
+            std::array<double, 3> displacement{};
+            for (int axis = 0; axis < 3; ++axis) {
+                displacement[axis] = (positions[j][axis] - positions[i][axis]) / h;
                 total[axis] += displacement[axis];
-        }
-        const auto count = static_cast<double>(found.size());
-        if (std::hypot(total[0], total[1], total[2]) <= 0.2 * h * count)
-            continue;
-        counts.push_back(count);
-        distances.push_back(nearest / h);
+            }
+            nearest[i] =
+                std::min(nearest[i], std::hypot(displacement[0], displacement[1], displacement[2]));
+        });
+        const auto count = static_cast<double>(lists.offsets[i + 1] - lists.offsets[i]);
+        outer[i] = std::hypot(total[0], total[1], total[2]) > 0.2 * count;
     }
-    return {mean_of(counts), mean_of(distances)};
+    Layers layers;
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        bool inner = outer[i] == 0;
+        visit_neighbors(i, [&](std::uint32_t j) { inner = inner && outer[j] == 0; });
+        const auto count = static_cast<double>(lists.offsets[i + 1] - lists.offsets[i]);
+        if (outer[i] != 0) {
+            layers.outer_count.push_back(count);
+            layers.outer_nearest.push_back(nearest[i]);
+        } else if (inner) {
+            layers.inner_count.push_back(count);
+            layers.inner_nearest.push_back(nearest[i]);
+        }
+    }
+    return layers;
+}
+
+Layers layers_of_sample(const std::string& name) {
+    const Snapshot droplet = read_snapshot(MENISCUS_SAMPLES + ("/" + name + ".vtkhdf"));
+    return layers_of(droplet.positions, *droplet.support_radius);
 }
 
 TEST(Clouds, RelaxedParticlesAreThoseOfADroplet) {
     const Cloud cloud = fill(sphere(13), options_of(Arrangement::relaxed, 2.15));
-    const Outermost relaxed = outermost_of(cloud.positions, cloud.support_radius);
+    const Layers relaxed = layers_of(cloud.positions, cloud.support_radius);
     for (const char* name : {"cube_iisph_05", "droplet_iisph_14"}) {
-        const Snapshot droplet =
-            read_snapshot(MENISCUS_SAMPLES + std::string("/") + name + ".vtkhdf");
-        const Outermost solved = outermost_of(droplet.positions, *droplet.support_radius);
-        EXPECT_NEAR(relaxed.count, solved.count, 1.5) << name;
-        EXPECT_NEAR(relaxed.nearest, solved.nearest, 0.04) << name;
+        const Layers solved = layers_of_sample(name);
+        EXPECT_NEAR(mean_of(relaxed.outer_count), mean_of(solved.outer_count), 1.5) << name;
+        EXPECT_NEAR(mean_of(relaxed.outer_nearest), mean_of(solved.outer_nearest), 0.04) << name;
+        EXPECT_NEAR(mean_of(relaxed.inner_count), mean_of(solved.inner_count), 1.5) << name;
+    }
+    // Only this one has nothing left of the lattice that it began with.
+    EXPECT_NEAR(deviation_of(relaxed.inner_count),
+                deviation_of(layers_of_sample("droplet_iisph_14").inner_count), 0.3);
+}
+
+TEST(Clouds, JitterBringsTheNearestAsCloseAsInADroplet) {
+    const auto nearest_inside = [](double jitter) {
+        CloudOptions options = options_of(Arrangement::relaxed, 2.15);
+        options.jitter = jitter;
+        return mean_of(layers_of(fill(sphere(13), options).positions, 2.15).inner_nearest);
+    };
+    EXPECT_NEAR(2.15 * nearest_inside(0), 0.95, 0.01);
+    for (const char* name : {"cube_iisph_05", "droplet_iisph_14"}) {
+        const double solved = mean_of(layers_of_sample(name).inner_nearest);
+        EXPECT_GT(nearest_inside(0.1), solved) << name;
+        EXPECT_LT(nearest_inside(0.3), solved) << name;
     }
 }
 
