@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace meniscus {
 namespace {
@@ -191,9 +192,18 @@ double height_after(const Quadric& quadric, const Vector3& place, double t) {
                      place[1] / (1 - 2 * quadric.B * t));
 }
 
-/// The point of a quadric nearest to a place, by bisection and Newton's method: height_after falls
-/// throughout.
-Vector3 nearest_on_quadric(const Vector3& place, const Quadric& quadric) {
+/// The place, off the planes of symmetry by next to nothing: beyond the focus the nearest point
+/// jumps there from one side to the other.
+Vector3 off_symmetry(Vector3 place, const Quadric& quadric) {
+    for (const auto& [axis, coefficient] : {std::pair{0, quadric.A}, std::pair{1, quadric.B}}) {
+        const double least = 1e-10 * std::min(std::fabs(1 / coefficient), std::fabs(place[2]));
+        place[axis] = std::copysign(std::max(std::fabs(place[axis]), least), place[axis]);
+    }
+    return place;
+}
+
+/// Between which values of t the root of height_after lies.
+std::array<double, 2> bracket_of_root(const Vector3& place, const Quadric& quadric) {
     const double most =
         std::fabs(quadric.A) * place[0] * place[0] + std::fabs(quadric.B) * place[1] * place[1];
     double low = std::min(0.0, place[2] - most);
@@ -204,22 +214,29 @@ Vector3 nearest_on_quadric(const Vector3& place, const Quadric& quadric) {
         if (coefficient < 0)
             low = std::max(low, 1 / (2 * coefficient));
     }
+    return {low, high};
+}
+
+/// The point of a quadric nearest to a place, by Newton's method, and bisection where that leaves
+/// the bracket: height_after falls throughout.
+Vector3 nearest_on_quadric(const Vector3& true_place, const Quadric& quadric) {
+    const Vector3 place = off_symmetry(true_place, quadric);
+    auto [low, high] = bracket_of_root(place, quadric);
     double t = 0;
-    for (int step = 0; step < 200 && low < high; ++step) {
+    for (int step = 0; step < 200; ++step) {
         const double height = height_after(quadric, place, t);
-        if (height == 0)
-            break;
         (height > 0 ? low : high) = t;
         const double x_scale = 1 / (1 - 2 * quadric.A * t);
         const double y_scale = 1 / (1 - 2 * quadric.B * t);
         const double x = quadric.A * place[0] * x_scale;
         const double y = quadric.B * place[1] * y_scale;
         double next = t + height / (1 + 4 * (x * x * x_scale + y * y * y_scale));
-        if (!(next > low && next < high))
+        if (!(next >= low && next <= high))
             next = (low + high) / 2;
-        if (next == t)
-            break;
+        const double change = std::fabs(next - t);
         t = next;
+        if (change <= 1e-16 * (std::fabs(t) + std::fabs(place[2])))
+            break;
     }
     const double x = place[0] / (1 - 2 * quadric.A * t);
     const double y = place[1] / (1 - 2 * quadric.B * t);

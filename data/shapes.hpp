@@ -67,8 +67,8 @@ Shape paraboloid(double a, double b, double width);
 /// The same shape with fluid on the other side of its surface.
 Shape outside(Shape shape);
 
-/// The nearest point of the shape's surface, as the fluid's side has it. Where several are equally
-/// near (the center of a sphere) it is one of them.
+/// The nearest point of the shape's surface to a finite place, as the fluid's side has it. Where
+/// several are equally near (the center of a sphere) it is one of them.
 SurfacePoint nearest_surface_point(const Shape& shape, const std::array<double, 3>& place);
 
 /// Whether the place is in the fluid, cuts aside.
