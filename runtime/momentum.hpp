@@ -164,8 +164,8 @@ public:
     }
 
     /// Changes listed.forces. Particles without weight keep theirs, but it counts. Net force and
-    /// torque fall to the rounding of Real; only a body thinner than about 1e-6 of its length, which
-    /// counts as a line, may keep a torque about it.
+    /// torque fall to the rounding of Real; only a body thinner than about 1e-6 of its length,
+    /// which counts as a line, may keep a torque about it.
     template <class Real, int Dimension, int Stride, class Loop>
     void remove_net_force(const BodyParticles<Real, Dimension, Stride>& particles,
                           const BodyForces<Real>& listed, const Loop& loop) {

@@ -150,7 +150,8 @@ void mix_in_covariance_normals(double share, const Loop& loop,
                                SurfaceParticles<Real, Dimension>& list) {
     loop(list.size(), [&](std::size_t begin, std::size_t end, int /*worker*/) {
         for (std::size_t slot = begin; slot < end; ++slot) {
-            if (list.pairs_count[slot] < Dimension || !(list.exposure[slot] > static_cast<Real>(least_exposure)))
+            if (list.pairs_count[slot] < Dimension ||
+                !(list.exposure[slot] > static_cast<Real>(least_exposure)))
                 continue;
             const Vector3 flattest = normals::flattest_direction(list, slot);
             auto& normal = list.normal[slot];

@@ -41,8 +41,8 @@ struct SurfaceTensionOptions {
     ForceOptions force;
 };
 
-/// The 2020 paper's method as published: sampled coverage alone, the closed form smoothed once, every
-/// surface particle with weight 1, and its force times the face of a particle.
+/// The 2020 paper's method as published: sampled coverage alone, the closed form smoothed once,
+/// every surface particle with weight 1, and its force times the face of a particle.
 inline SurfaceTensionOptions paper_options() {
     SurfaceTensionOptions options;
     options.exposure.verification = Verification::drop;
@@ -129,10 +129,10 @@ public:
     template <class View, class Boundary, class Radii, class Loop>
     void step(const View& view, const Boundary& boundary, std::size_t count, const Radii& radii,
               const std::uint32_t* ids, const Loop& loop) {
-        find_candidates<Real, Dimension>(view, count, radii,
-                                         SurfaceLine<Real>{static_cast<Real>(settings.k),
-                                                           static_cast<Real>(settings.d)},
-                                         settings.exposure.radius_ratio, loop, list);
+        find_candidates<Real, Dimension>(
+            view, count, radii,
+            SurfaceLine<Real>{static_cast<Real>(settings.k), static_cast<Real>(settings.d)},
+            settings.exposure.radius_ratio, loop, list);
         step_from_candidates(view, boundary, radii, ids, loop);
     }
 
@@ -142,8 +142,8 @@ public:
         step(view, NoBoundary{}, count, radii, nullptr, loop);
     }
 
-    /// The same after a host's own classification: candidate[i] not 0, and FeatureSum::count of each
-    /// particle, from its density loop.
+    /// The same after a host's own classification: candidate[i] not 0, and FeatureSum::count of
+    /// each particle, from its density loop.
     template <class View, class Boundary, class Radii, class Count, class Loop>
     void step(const View& view, const Boundary& boundary, std::size_t count, const Radii& radii,
               const std::uint32_t* ids, const std::uint8_t* candidate, const Count* neighbor_count,
