@@ -89,9 +89,9 @@ void set_boundary(Snapshot& snapshot, const Boundary& boundary) {
 
 std::string support_radius_text(const Snapshot& snapshot) {
     const SupportRadii radii = support_radii(snapshot);
-    return radii.vary() ? fmt::format("support radii of {:.4g} to {:.4g} m", radii.smallest,
-                                      radii.largest)
-                        : fmt::format("support radius of {} m", radii.largest);
+    return radii.vary()
+               ? fmt::format("support radii of {:.4g} to {:.4g} m", radii.smallest, radii.largest)
+               : fmt::format("support radius of {} m", radii.largest);
 }
 
 std::string support_radius_note(const Snapshot& snapshot) {

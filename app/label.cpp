@@ -30,11 +30,11 @@ void report(const Path& output, const Snapshot& snapshot, const Labels& labels,
     const double mean = mean_neighbor_count(labels);
     const auto [lowest, highest] = plausible_neighbor_counts(snapshot.dimension);
     if (snapshot.size() > 0 && (mean < lowest || mean > highest))
-        print_error_line(fmt::format(
-            "warning: {}: a mean neighbor count of {:.1f} is implausible in {}D "
-            "(expected {} to {}); is the {} right?",
-            output.string(), mean, snapshot.dimension, lowest, highest,
-            support_radius_text(snapshot)));
+        print_error_line(
+            fmt::format("warning: {}: a mean neighbor count of {:.1f} is implausible in {}D "
+                        "(expected {} to {}); is the {} right?",
+                        output.string(), mean, snapshot.dimension, lowest, highest,
+                        support_radius_text(snapshot)));
     if (quiet)
         return;
     const auto surface = std::accumulate(labels.surface.begin(), labels.surface.end(), 0UL);

@@ -22,9 +22,9 @@ struct InputOptions {
 void add_input_options(CLI::App& verb, InputOptions& options);
 
 /// Reads a snapshot of any format and completes it with the options. The support radius is that of
-/// the options, else the stored one, else that of a `support_radius` array; where its values differ,
-/// the snapshot has no radius for all and support_radii() has them. Throws InputError where there is
-/// none, or where a number for all is not positive and finite.
+/// the options, else the stored one, else that of a `support_radius` array; where its values
+/// differ, the snapshot has no radius for all and support_radii() has them. Throws InputError where
+/// there is none, or where a number for all is not positive and finite.
 Snapshot read_input(const Path& file, const InputOptions& options);
 
 /// Boundary particles from a file of their own.

@@ -87,8 +87,8 @@ Predictions predict_scaled(const View& view, const Model& model,
     Predictions predictions;
     predictions.surface.resize(each.size());
     for (std::size_t i = 0; i < each.size(); ++i)
-        predictions.neighbor_count.push_back(static_cast<double>(
-            sum_features<Real, Dimension>(view, i, radii, range).count));
+        predictions.neighbor_count.push_back(
+            static_cast<double>(sum_features<Real, Dimension>(view, i, radii, range).count));
     const auto line = line_for<Real>(model, predictions.neighbor_count, neighborhoods.valid);
     classify<Real, Dimension>(view, 0, each.size(), radii, line, model.radius_ratio,
                               predictions.surface.data());
@@ -182,10 +182,10 @@ Classes classify_snapshot(const Snapshot& snapshot, const Model& model,
     const SupportRadii radii = support_radii(snapshot);
     Classes classes;
     classes.valid = checked_positions(snapshot, options.skip_invalid);
-    auto predictions = predict(model, snapshot,
-                               find_neighborhoods(snapshot, radii, classes.valid,
-                                                  model.boundary_counts, options.threads),
-                               Precision::float64);
+    auto predictions = predict(
+        model, snapshot,
+        find_neighborhoods(snapshot, radii, classes.valid, model.boundary_counts, options.threads),
+        Precision::float64);
     classes.surface = std::move(predictions.surface);
     classes.neighbor_count = std::move(predictions.neighbor_count);
     for (std::size_t i = 0; i < classes.surface.size(); ++i)

@@ -20,7 +20,7 @@ struct Neighborhoods {
     std::vector<double> masses;   ///< kg, one a particle; empty where all are equal
     /// kg, of each boundary particle: mean_mass of the fluid; 0: that of its neighbor.
     double boundary_mass = 1;
-    SupportRadii radii = 0;       ///< h in m
+    SupportRadii radii = 0; ///< h in m
     std::vector<std::uint8_t> valid;
 };
 

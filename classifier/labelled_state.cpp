@@ -55,9 +55,8 @@ std::vector<double> neighbor_counts(const Snapshot& snapshot, bool boundary_coun
                                     const std::vector<double>& valid, const std::string& file) {
     const std::size_t particles =
         snapshot.size() + (boundary_counts ? snapshot.boundary.size() : 0);
-    const double largest =
-        std::min<double>(static_cast<double>(particles) * (radii_vary ? 8 : 1),
-                         std::numeric_limits<std::uint32_t>::max());
+    const double largest = std::min<double>(static_cast<double>(particles) * (radii_vary ? 8 : 1),
+                                            std::numeric_limits<std::uint32_t>::max());
     auto counts = checked_values(snapshot, "neighbor_count", valid, largest, file);
     for (const double count : counts)
         if (!radii_vary && count != std::trunc(count))

@@ -356,17 +356,19 @@ void visit_neighbors(const Levels& levels, std::size_t place, Found&& found) {
     const Grid& own = levels.grids[level];
     const std::size_t s = place - levels.first_place[level];
     const double own_radius = own.radii.empty() ? own.radius : own.radii[s];
-    for (const Grid& grid : levels.grids)
+    for (const Grid& grid : levels.grids) {
+        const std::size_t self = &grid == &own ? s : grid.order.size();
+        const double* radii = grid.radii.empty() ? nullptr : grid.radii.data();
         visit_places(grid, own.positions[s], (own_radius + grid.radius) / 2,
                      [&](std::uint32_t other, const std::array<double, 3>& displacement,
                          double distance_squared) {
-                         if ((&grid != &own || other != s) &&
+                         if (other != self &&
                              (grid.phase.empty() || grid.phase[other] == own.phase[s]) &&
-                             (grid.radii.empty() ||
-                              is_closer_than_mean(distance_squared, own_radius,
-                                                  grid.radii[other])))
+                             (radii == nullptr ||
+                              is_closer_than_mean(distance_squared, own_radius, radii[other])))
                              found(grid.order[other], displacement);
                      });
+    }
 }
 
 /// Adds a grid of the particles that the filter leaves, whose largest radius is `radius`.

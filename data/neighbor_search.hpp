@@ -97,9 +97,10 @@ inline constexpr double largest_radius_range = 1000;
 /// Throws InputError where a radius is not positive and finite or its square would leave the range
 /// of double (below 1e-150, above 1e150), where a valid particle's position is not finite, where
 /// there are more than 2^32 - 1 particles, or where the extent exceeds what double can resolve
-/// against the radius (2^50 radii). Where radii vary, also where there is not one for each particle,
-/// where they differ by more than largest_radius_range, or where the large ones reach over so many
-/// particles that a particle would be compared with more than 100,000 others on average.
+/// against the radius (2^50 radii). Where radii vary, also where there is not one for each
+/// particle, where they differ by more than largest_radius_range, or where the large ones reach
+/// over so many particles that a particle would be compared with more than 100,000 others on
+/// average.
 NeighborLists find_neighbors(const Positions& positions, const SupportRadii& radii,
                              const NeighborFilter& filter = {}, int threads = 0);
 

@@ -17,8 +17,8 @@ namespace meniscus {
 std::vector<std::uint8_t> checked_positions(const Snapshot& snapshot, bool skip_invalid);
 
 /// The support radii of the particles with finite positions: the one that the snapshot has for all,
-/// else its array `support_radius`. Throws InputError where there is neither; whether the values can
-/// be used is for the neighbor search to say.
+/// else its array `support_radius`. Throws InputError where there is neither; whether the values
+/// can be used is for the neighbor search to say.
 SupportRadii support_radii(const Snapshot& snapshot);
 
 /// The values of the array `mass` in kg, or none where there is no such array: all masses are equal

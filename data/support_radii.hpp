@@ -21,7 +21,9 @@ struct SupportRadii {
     explicit SupportRadii(std::vector<double> radii, const std::vector<std::uint8_t>& valid = {});
 
     [[nodiscard]] bool vary() const { return !each.empty(); }
-    [[nodiscard]] double of(std::size_t particle) const { return vary() ? each[particle] : largest; }
+    [[nodiscard]] double of(std::size_t particle) const {
+        return vary() ? each[particle] : largest;
+    }
 };
 
 } // namespace meniscus

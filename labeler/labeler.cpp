@@ -192,7 +192,7 @@ void label_particle(const Work& work, const Snapshot& snapshot, std::size_t plac
     const std::size_t i = work.grid->particle(place);
     workspace.caps.radius_ratio = work.radius_ratio;
     workspace.caps.displacements.clear();
-    const auto gather = !work.radii.vary()       ? gather_neighbors
+    const auto gather = !work.radii.vary()    ? gather_neighbors
                         : work.dimension == 2 ? gather_scaled<2>
                                               : gather_scaled<3>;
     gather(work, place, i, snapshot.positions[i], workspace, labels);

@@ -42,15 +42,15 @@ struct Labels {
 };
 
 /// Labels all particles with these support radii (support_radii() has those of a snapshot, a number
-/// in m serves all). A `phase` array keeps phases apart, a `mass` array weights the features, an `id`
-/// array keys random directions. The snapshot's boundary particles cover, whatever the phase: a
-/// particle at a wall is not at the free surface. In the features they count only with
-/// boundary_counts, whatever the phase, each with the mean_mass of the fluid. Where radii vary, each
-/// pair is measured in its mean radius (runtime/support_radius.hpp, scaled_features.hpp), and a
-/// boundary particle has radius and mass of the particle it is a neighbor of. Throws InputError
+/// in m serves all). A `phase` array keeps phases apart, a `mass` array weights the features, an
+/// `id` array keys random directions. The snapshot's boundary particles cover, whatever the phase:
+/// a particle at a wall is not at the free surface. In the features they count only with
+/// boundary_counts, whatever the phase, each with the mean_mass of the fluid. Where radii vary,
+/// each pair is measured in its mean radius (runtime/support_radius.hpp, scaled_features.hpp), and
+/// a boundary particle has radius and mass of the particle it is a neighbor of. Throws InputError
 /// where an option is out of range, where a position is not finite (how many, and the first index)
-/// unless skip_invalid, where a mass is not positive, or where the neighbor search refuses; likewise
-/// for the boundary.
+/// unless skip_invalid, where a mass is not positive, or where the neighbor search refuses;
+/// likewise for the boundary.
 Labels label_particles(const Snapshot& snapshot, const SupportRadii& radii,
                        const LabelOptions& options);
 

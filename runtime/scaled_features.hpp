@@ -13,8 +13,8 @@
 namespace meniscus {
 inline namespace MENISCUS_INSTRUCTION_SET {
 
-/// The sums over a particle's neighbors in units of h_i: `moment` holds w_j u_j and `mass` w_j, both
-/// times h_i^D and so in kg. Its support radius, where a function asks for one, is 1.
+/// The sums over a particle's neighbors in units of h_i: `moment` holds w_j u_j and `mass` w_j,
+/// both times h_i^D and so in kg. Its support radius, where a function asks for one, is 1.
 template <class Real, int Dimension>
 using ScaledFeatureSum = FeatureSum<Real, Dimension, Real>;
 

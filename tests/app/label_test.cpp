@@ -266,11 +266,12 @@ TEST_F(Label, SupportRadiusOfEachParticle) {
     radii[17] = 1.25;
     set_array(snapshot, {"support_radius", 1, radii});
     const Path varying = save(snapshot, "varying.vtkhdf");
-    const Snapshot labelled = read_vtkhdf(label(varying));
+    succeed({"label", varying, "-o", folder / "varying"});
+    const Snapshot labelled = read_vtkhdf(folder / "varying" / "varying.vtkhdf");
     EXPECT_FALSE(labelled.support_radius);
     EXPECT_EQ(scalar_values(labelled, "support_radius"), radii);
-    EXPECT_EQ(labelled.provenance.at("support_radius"), "1.0 to 1.25");
-    expect_mentions(succeed({"label", varying, "-o", folder / "labelled"}), {"up to date"});
+    EXPECT_EQ(labelled.provenance.at("support_radius"), "1 to 1.25");
+    expect_mentions(succeed({"label", varying, "-o", folder / "varying"}), {"up to date"});
     // One for all in their place, which is then what the file goes by.
     succeed({"label", varying, "-o", folder / "one", "--support-radius", "1"});
     EXPECT_EQ(read_vtkhdf(folder / "one" / "varying.vtkhdf").support_radius, 1.0);

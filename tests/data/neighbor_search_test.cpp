@@ -25,9 +25,8 @@ Positions random_positions(std::size_t count, double extent, int dimension, unsi
 }
 
 /// The lists by comparing all pairs.
-std::vector<std::vector<std::uint32_t>> all_pairs(const Positions& positions,
-                                                  const SupportRadii& radii,
-                                                  const NeighborFilter& filter) {
+std::vector<std::vector<std::uint32_t>>
+all_pairs(const Positions& positions, const SupportRadii& radii, const NeighborFilter& filter) {
     std::vector<std::vector<std::uint32_t>> lists(positions.size());
     const auto valid = [&](std::size_t i) { return !filter.valid || (*filter.valid)[i] != 0; };
     for (std::uint32_t i = 0; i < positions.size(); ++i)
@@ -55,7 +54,7 @@ std::vector<std::vector<std::uint32_t>> sorted_lists(const NeighborLists& lists)
 
 void expect_same_as_all_pairs(const Positions& positions, const SupportRadii& radii,
                               const NeighborFilter& filter = {}) {
-    EXPECT_EQ(sorted_lists(find_neighbors(positions, radii, filter)),
+    EXPECT_EQ(sorted_lists(find_neighbors(positions, radii, filter, 1)),
               all_pairs(positions, radii, filter));
 }
 

@@ -61,9 +61,9 @@ TEST(ParticleArrays, SupportRadiiAreOneForAllWhereTheyCanBe) {
     snapshot.support_radius = 0.125; // stored for all
     EXPECT_EQ(support_radii(snapshot).largest, 0.125);
     for (const double bad : {nan, -1.0}) // told apart from the others, for the search to refuse
-        EXPECT_TRUE(support_radii(three_particles("support_radius",
-                                                  std::vector<double>{0.5, bad, 0.5}))
-                        .vary());
+        EXPECT_TRUE(
+            support_radii(three_particles("support_radius", std::vector<double>{0.5, bad, 0.5}))
+                .vary());
     expect_mentions(error_of<InputError>([] { support_radii(Snapshot{}); }),
                     {"no support radius", "--support-radius"});
 }
