@@ -66,14 +66,15 @@ void for_lattice_in_ball(int dimension, double spacing, double radius, Add&& add
             }
 }
 
-/// A ball of lattices of spacing 1 and 2, which meet halfway between their particles: fine where
-/// `is_fine` says so of a position.
+/// A ball of lattices of spacing 1 and `coarse`, which meet halfway between their particles: fine
+/// where `is_fine` says so of a position.
 inline Droplet two_resolutions(int dimension, double radius, double spacings_per_radius,
-                               const std::function<bool(const Place&)>& is_fine) {
+                               const std::function<bool(const Place&)>& is_fine,
+                               double coarse = 2) {
     Droplet droplet;
     droplet.snapshot.dimension = dimension;
     droplet.spacings_per_radius = spacings_per_radius;
-    for (const double spacing : {1.0, 2.0})
+    for (const double spacing : {1.0, coarse})
         for_lattice_in_ball(dimension, spacing, radius, [&](const Place& position, bool outermost) {
             if (is_fine(position) == (spacing == 1))
                 droplet.add(position, spacing, outermost, (radius - length(position)) / spacing);

@@ -8,9 +8,8 @@
 #include <meniscus/data/snapshot_files.hpp>
 #include <meniscus/labeler/labeler.hpp>
 
+#include <cmath>
 #include <gtest/gtest.h>
-#include <limits>
-#include <numeric>
 
 namespace meniscus {
 namespace {
@@ -97,6 +96,22 @@ TEST_P(Droplets, ExactAndMonteCarloAgree) {
         const double error = std::sqrt(std::max(lambda * (1 - lambda), 1e-3) / 2000);
         EXPECT_LT(std::fabs(sampled.uncovered_fraction[i] - lambda), 6 * error) << i;
     }
+}
+
+TEST(SupportRadii, JumpsByAFactorOfFourLeaveOpenings) {
+    // Not what one would wish for, but what docs/labels.md says.
+    const Droplet drop = test::two_resolutions(
+        3, 20, 2, [](const test::Place& position) { return position[0] < 0; }, 4);
+    const auto labels =
+        label_particles(drop.snapshot, support_radii(drop.snapshot), LabelOptions{});
+    std::size_t deep = 0;
+    for (std::size_t i = 0; i < drop.snapshot.size(); ++i)
+        if (drop.depth[i] > 2 && labels.surface[i] != 0) {
+            EXPECT_LT(std::fabs(drop.snapshot.positions[i][0]), 8) << i; // at the jump alone
+            EXPECT_LT(labels.uncovered_fraction[i], 0.05) << i;
+            ++deep;
+        }
+    EXPECT_GT(deep, 0U);
 }
 
 /// The labels that one radius for all gives, and those of the same particles with the same radius
