@@ -60,8 +60,8 @@ void smooth_curvature(double tau, const Loop& loop, SurfaceParticles<Real, Dimen
             Real weights = 0;
             const auto* pair = list.pairs.data() + list.pairs_begin[slot];
             for (const auto* last = pair + list.pairs_count[slot]; pair != last; ++pair) {
-                const Real weight =
-                    list.surface_class[pair->slot] == SurfaceClass::surface ? pair->weight : 0;
+                const bool is_surface = list.surface_class[pair->slot] == SurfaceClass::surface;
+                const Real weight = static_cast<Real>(is_surface) * pair->weight;
                 sum += weight * before[pair->slot];
                 weights += weight;
             }

@@ -39,9 +39,9 @@ MENISCUS_INLINE Real sheet_area(const SurfaceParticles<Real, Dimension>& list, s
     Real sum = own;
     const auto* pair = list.pairs.data() + list.pairs_begin[slot];
     for (const auto* last = pair + list.pairs_count[slot]; pair != last; ++pair) {
-        const bool same_side =
-            product<Real, Dimension>(list.normal[slot], list.normal[pair->slot]) > 0;
-        sum += same_side ? list.weight[pair->slot] * pair->weight : 0;
+        const Real side = product<Real, Dimension>(list.normal[slot], list.normal[pair->slot]);
+        // Whether it faces the same way is for no branch to guess, hence the product.
+        sum += static_cast<Real>(side > 0) * (list.weight[pair->slot] * pair->weight);
     }
     constexpr auto scale = static_cast<Real>(area_correction * kernel_integral<Dimension>);
     return own > 0 ? scale * own / sum : 0;

@@ -15,7 +15,7 @@
 #include "held_cells.hpp"
 #include "parallel_loop.hpp"
 #include "sampled_coverage.hpp"
-#include "support_radius.hpp"
+#include "scaled_features.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -82,7 +82,7 @@ struct SurfaceParticles {
     std::vector<Real> turning;  ///< of the normals (curvature_map.hpp), times h
     std::vector<Real> curvature;            ///< h kappa, mean curvature times support radius
     std::vector<Vector> force;              ///< N
-    std::vector<std::uint32_t> pairs_begin; ///< of each slot, in `pairs`
+    std::vector<std::uint32_t> pairs_begin; ///< of each slot, in `pairs`, and where the last ends
     std::vector<std::uint32_t> pairs_count;
     std::vector<SurfacePair<Real, Dimension>> pairs;
 
@@ -96,8 +96,8 @@ struct SurfaceParticles {
         for (auto* vectors : {&normal, &force})
             vectors->reserve(count);
         for (auto* counts : {&pairs_begin, &pairs_count})
-            counts->reserve(count);
-        pairs.reserve(pair_count + 1);
+            counts->reserve(count + 1);
+        pairs.reserve(pair_count + count);
     }
 
     /// One entry a slot in everything; room for so many pairs.
@@ -108,7 +108,7 @@ struct SurfaceParticles {
         for (auto* vectors : {&normal, &force})
             vectors->resize(size());
         pairs_count.resize(size());
-        pairs.resize(pair_count + 1);
+        pairs.resize(pair_count);
     }
 };
 
@@ -128,8 +128,9 @@ void number_candidates(SurfaceParticles<Real, Dimension>& list) {
         list.slot_of[i] = static_cast<std::int32_t>(list.particle.size());
         list.particle.push_back(static_cast<std::uint32_t>(i));
         list.pairs_begin.push_back(pairs);
-        pairs += static_cast<std::uint32_t>(neighbors);
+        pairs += static_cast<std::uint32_t>(neighbors) + 1; // one to write to before it counts
     }
+    list.pairs_begin.push_back(pairs);
     list.resize_slots(pairs);
 }
 
@@ -165,20 +166,41 @@ struct ExposureOptions {
     double fade = 0.03; ///< exposure at which a particle weighs 1; 0: always (exposure_weight)
 };
 
-/// Fills the list with the particles of `view` (count of them) that the line lets through. Features
-/// are measured in `radii`, which neighbors count says `radius_ratio`. `boundary` counts in the
-/// features where a model was trained so, else hand over NoBoundary.
+/// How many neighbors a candidate can have on the surface; -1 where the line says interior.
+template <class Real, int Dimension, class View>
+MENISCUS_INLINE std::int32_t
+candidate_neighbors(const View& view, std::size_t i, const UniformRadius<Real>& radii,
+                    const SurfaceLine<Real>& line, double radius_ratio) {
+    const auto range = neighbor_range<Real>(static_cast<double>(radii.radius), radius_ratio);
+    const auto sum = sum_features<Real, Dimension>(view, i, range);
+    return is_surface(sum, line, radii.radius) ? sum.count : -1;
+}
+
+template <class Real, int Dimension, class View>
+std::int32_t candidate_neighbors(const View& view, std::size_t i, const VaryingRadii<Real>& radii,
+                                 const SurfaceLine<Real>& line, double radius_ratio) {
+    const auto range = neighbor_range<Real>(1, radius_ratio);
+    ScaledFeatureSum<Real, Dimension> sum;
+    std::int32_t delivered = 0;
+    view(i, [&](std::size_t j, const auto& displacement, Real mass) {
+        add_scaled(displacement, mass, i, j, radii, range, sum);
+        ++delivered;
+    });
+    return is_surface(sum, line, Real(1)) ? delivered : -1;
+}
+
+/// Fills the list with the particles of `view` (count of them) that the line lets through;
+/// `radius_ratio` r2 / r1 says which neighbors count. Where the line was trained with boundary
+/// particles in the features, `view` delivers them too.
 template <class Real, int Dimension, class View, class Radii, class Loop>
 void find_candidates(const View& view, std::size_t count, const Radii& radii,
                      const SurfaceLine<Real>& line, double radius_ratio, const Loop& loop,
                      SurfaceParticles<Real, Dimension>& list) {
     list.slot_of.resize(count);
     loop(count, [&](std::size_t begin, std::size_t end, int /*worker*/) {
-        const auto range = neighbor_range<Real>(radii.of(0), radius_ratio);
-        for (std::size_t i = begin; i < end; ++i) {
-            const auto sum = sum_features<Real, Dimension>(view, i, range);
-            list.slot_of[i] = is_surface(sum, line, radii.of(i)) ? sum.count : -1;
-        }
+        for (std::size_t i = begin; i < end; ++i)
+            list.slot_of[i] =
+                candidate_neighbors<Real, Dimension>(view, i, radii, line, radius_ratio);
     });
     number_candidates(list);
 }
@@ -234,6 +256,7 @@ MENISCUS_INLINE Vector3 collect(const View& view, const Boundary& boundary, cons
     const std::int32_t* const slot_of = list.slot_of.data();
     const std::size_t particles = list.slot_of.size();
     auto* const pairs = list.pairs.data() + list.pairs_begin[slot];
+    const std::uint32_t pairs_room = list.pairs_begin[slot + 1] - list.pairs_begin[slot] - 1;
     std::uint32_t pairs_count = 0;
     Real inward[Dimension] = {};
     std::size_t count = 0;
@@ -257,7 +280,9 @@ MENISCUS_INLINE Vector3 collect(const View& view, const Boundary& boundary, cons
             z[count] = Dimension == 3 ? static_cast<float>(step[Dimension - 1]) : 0.0F;
             limit[count] = 0.5F * static_cast<float>(distance_squared) + half_cosine;
             ++count;
-            const std::int32_t neighbor = j < particles ? slot_of[j] : -1;
+            // Full only where a host's count is wrong, or a distance at a limit rounds otherwise.
+            const bool has_room = pairs_count < pairs_room;
+            const std::int32_t neighbor = j < particles && has_room ? slot_of[j] : -1;
             pairs[pairs_count] = {static_cast<std::uint32_t>(neighbor),
                                   1 - std::sqrt(distance_squared), step};
             pairs_count += neighbor >= 0 ? 1 : 0;
