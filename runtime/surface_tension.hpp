@@ -53,6 +53,15 @@ inline SurfaceTensionOptions paper_options() {
     return options;
 }
 
+/// The project's own choices with the curvature map that ships for the dimension. The spacing of
+/// the particles is left to be set.
+template <int Dimension>
+SurfaceTensionOptions shipped_options() {
+    SurfaceTensionOptions options;
+    options.map = {Dimension, {0, 1, 0, 0, 0, 0}, -1, 1};
+    return options;
+}
+
 /// Throws std::invalid_argument, naming the option, where one is out of its range.
 inline void check(const SurfaceTensionOptions& options, int dimension) {
     const auto demand = [](bool holds, const char* what) {
