@@ -74,7 +74,7 @@ Fluid real_state(const std::string& file) {
 SurfaceTensionOptions options_with(const Fluid& fluid, std::size_t samples) {
     auto options = shipped_options<3>();
     options.force.surface_tension = sigma;
-    options.force.particle_spacing = fluid.spacing;
+    options.force.spacing_ratio = fluid.support_radius / fluid.spacing;
     if (samples == 0)
         options.exposure.method = CoverageMethod::exact;
     else

@@ -63,7 +63,7 @@ template <class Real, int Dimension>
 struct SurfacePair {
     std::uint32_t slot;               ///< of the neighbor
     Real weight;                      ///< W = 1 - |x_j - x_i| / h (2020 paper, eq. 5)
-    std::array<Real, Dimension> step; ///< (x_j - x_i) / h
+    std::array<Real, Dimension> step; ///< (x_j - x_i) / h_i
 };
 
 /// The candidates of one step, in slots 0 to size() - 1 in the order of their particles, and what
@@ -79,8 +79,8 @@ struct SurfaceParticles {
     std::vector<Real> exposure; ///< length of the integral of the direction over the uncovered part
     std::vector<Real> weight;   ///< in forces and averages, 0 to 1 (exposure_weight)
     std::vector<Vector> normal; ///< unit vector out of the fluid; zero where covered
-    std::vector<Real> turning;  ///< of the normals (curvature_map.hpp), times h
-    std::vector<Real> curvature;            ///< h kappa, mean curvature times support radius
+    std::vector<Real> turning;  ///< of the normals, 1/m (curvature_map.hpp)
+    std::vector<Real> curvature;            ///< mean curvature kappa, 1/m
     std::vector<Vector> force;              ///< N
     std::vector<std::uint32_t> pairs_begin; ///< of each slot, in `pairs`, and where the last ends
     std::vector<std::uint32_t> pairs_count;
@@ -218,6 +218,8 @@ void take_candidates(const std::uint8_t* candidate, const Count* neighbor_count,
 
 namespace surface_particles {
 
+inline constexpr std::size_t no_particle = ~std::size_t{0};
+
 /// The displacement in radii of the pair.
 template <class Real, int Dimension, class Displacement>
 MENISCUS_INLINE std::array<Real, Dimension> in_radii(const Displacement& displacement,
@@ -228,10 +230,28 @@ MENISCUS_INLINE std::array<Real, Dimension> in_radii(const Displacement& displac
     return step;
 }
 
+/// A step in radii of the pair (i, j), in those of i; j may be any where radii do not vary.
+template <class Real, std::size_t Dimension>
+MENISCUS_INLINE const std::array<Real, Dimension>&
+in_own_radius(const std::array<Real, Dimension>& step, const UniformRadius<Real>& /*radii*/,
+              std::size_t /*i*/, std::size_t /*j*/) {
+    return step;
+}
+
+template <class Real, std::size_t Dimension>
+MENISCUS_INLINE std::array<Real, Dimension> in_own_radius(std::array<Real, Dimension> step,
+                                                          const VaryingRadii<Real>& radii,
+                                                          std::size_t i, std::size_t j) {
+    if (j == no_particle)
+        return step;
+    const Real pair_over_own = (radii.of(i) + radii.of(j)) / (2 * radii.of(i));
+    for (Real& coordinate : step)
+        coordinate *= pair_over_own;
+    return step;
+}
+
 /// Calls visit(j, step) for what covers particle i: fluid neighbors, then boundary ones, whose j is
 /// not an index of the fluid and comes as no_particle.
-inline constexpr std::size_t no_particle = ~std::size_t{0};
-
 template <class Real, int Dimension, class View, class Boundary, class Radii, class Visit>
 MENISCUS_INLINE void visit_covering(const View& view, const Boundary& boundary, const Radii& radii,
                                     std::size_t i, const Visit& visit) {
@@ -284,7 +304,8 @@ MENISCUS_INLINE Vector3 collect(const View& view, const Boundary& boundary, cons
             const bool has_room = pairs_count < pairs_room;
             const std::int32_t neighbor = j < particles && has_room ? slot_of[j] : -1;
             pairs[pairs_count] = {static_cast<std::uint32_t>(neighbor),
-                                  1 - std::sqrt(distance_squared), step};
+                                  1 - std::sqrt(distance_squared),
+                                  in_own_radius(step, radii, list.particle[slot], j)};
             pairs_count += neighbor >= 0 ? 1 : 0;
         });
     caps.count = count;

@@ -116,7 +116,8 @@ void visit_surface(const View& view, const Radii& radii, double radius_ratio,
         view, radii, radius_ratio, list.particle[slot], [&](std::size_t j, const auto& step) {
             if (list.slot_of[j] >= 0)
                 visit(static_cast<std::size_t>(list.slot_of[j]),
-                      1 - std::sqrt(squared_length<Real, Dimension>(step)), step);
+                      1 - std::sqrt(squared_length<Real, Dimension>(step)),
+                      surface_particles::in_own_radius(step, radii, list.particle[slot], j));
         });
 }
 
@@ -148,7 +149,8 @@ void find_force_reference(const View& view, const Radii& radii,
         if (list.exposure[slot] > static_cast<Real>(least_exposure))
             list.normal[slot] = normalized<Real, Dimension>(sum);
         closed_form[slot] = static_cast<Real>(
-            curvature_of<Dimension>(static_cast<double>(list.uncovered_fraction[slot]), ratio));
+            curvature_of<Dimension>(static_cast<double>(list.uncovered_fraction[slot]), ratio) /
+            static_cast<double>(radii.of(list.particle[slot])));
         if (list.surface_class[slot] != SurfaceClass::surface)
             closed_form[slot] = 0;
     }
@@ -161,7 +163,7 @@ void find_force_reference(const View& view, const Radii& radii,
                 along += weight * (list.normal[other][axis] - list.normal[slot][axis]) * step[axis];
             squares += weight * squared_length<Real, Dimension>(step);
         });
-        list.turning[slot] = squares > 0 ? along / squares : 0;
+        list.turning[slot] = squares > 0 ? along / squares / radii.of(list.particle[slot]) : 0;
     }
     for (std::size_t slot = 0; slot < list.size(); ++slot) {
         Real weights = list.weight[slot];
@@ -173,30 +175,32 @@ void find_force_reference(const View& view, const Radii& radii,
             turning += weight * list.turning[other];
             closed += weight * closed_form[other];
         });
+        const Real radius = radii.of(list.particle[slot]);
         const bool is_surface = list.surface_class[slot] == SurfaceClass::surface && weights > 0;
-        list.curvature[slot] = is_surface ? static_cast<Real>(curvature_of(
-                                                options.map, static_cast<double>(turning / weights),
-                                                static_cast<double>(closed / weights)))
-                                          : 0;
+        list.curvature[slot] = 0;
+        if (is_surface)
+            list.curvature[slot] = static_cast<Real>(
+                curvature_of(options.map, static_cast<double>(turning / weights * radius),
+                             static_cast<double>(closed / weights * radius)) /
+                static_cast<double>(radius));
     }
-    const auto spacing = static_cast<Real>(options.force.particle_spacing);
     for (std::size_t slot = 0; slot < list.size(); ++slot) {
         Real sum = list.weight[slot];
         around(slot, [&](std::size_t other, Real weight, const Vector& /*step*/) {
             if (product<Real, Dimension>(list.normal[slot], list.normal[other]) > 0)
                 sum += list.weight[other] * weight;
         });
-        const Real radius = radii.of(list.particle[slot]);
-        const Real outside = 1 + list.turning[slot] / radius * spacing / 2;
-        const Real side = radius * outside;
-        const Real share = sum > 0 ? list.weight[slot] / sum : 0;
-        const Real area = static_cast<Real>(surface_force::area_correction *
-                                            surface_force::kernel_integral<Dimension>) *
-                          share * (Dimension == 2 ? side : side * side);
-        const Real size = (Dimension - 1) * static_cast<Real>(options.force.surface_tension) *
-                          list.curvature[slot] / radius * area;
+        using namespace surface_force;
+        const auto radius = static_cast<double>(radii.of(list.particle[slot]));
+        const double half_spacing = radius / options.force.spacing_ratio / 2;
+        const double side = radius * (1 + static_cast<double>(list.turning[slot]) * half_spacing);
+        const double share = sum > 0 ? static_cast<double>(list.weight[slot] / sum) : 0;
+        const double area =
+            area_correction * kernel_integral<Dimension> * share * to_area<Dimension>(side);
+        const double size = (Dimension - 1) * options.force.surface_tension *
+                            static_cast<double>(list.curvature[slot]) * area;
         for (int axis = 0; axis < Dimension; ++axis)
-            list.force[slot][axis] = -size * list.normal[slot][axis];
+            list.force[slot][axis] = static_cast<Real>(-size) * list.normal[slot][axis];
     }
 }
 

@@ -53,8 +53,7 @@ inline SurfaceTensionOptions paper_options() {
     return options;
 }
 
-/// The project's own choices with the curvature map that ships for the dimension. The spacing of
-/// the particles is left to be set.
+/// The project's own choices with the curvature map that ships for the dimension.
 template <int Dimension>
 SurfaceTensionOptions shipped_options() {
     SurfaceTensionOptions options;
@@ -80,8 +79,8 @@ inline void check(const SurfaceTensionOptions& options, int dimension) {
     demand(is_share(options.covariance_share), "covariance_share must be between 0 and 1");
     demand(options.curvature_passes >= 0, "curvature_passes must not be negative");
     demand(is_finite(options.force.surface_tension), "surface_tension must be finite");
-    demand(is_positive_and_finite(options.force.particle_spacing),
-           "particle_spacing must be positive: the root of a particle's volume at rest, in m");
+    demand(is_positive_and_finite(options.force.spacing_ratio),
+           "spacing_ratio must be positive: support radius over particle spacing");
     demand(options.curvature != CurvatureForm::mapped || options.map.dimension == dimension,
            "the curvature map was trained in another dimension");
 }
@@ -209,13 +208,13 @@ private:
             smooth_normals<Real, Dimension>(settings.tau, loop, list, normals_before);
         if (settings.curvature == CurvatureForm::mapped ||
             settings.force.form == ForceForm::calibrated)
-            find_turning<Real, Dimension>(loop, list);
+            find_turning<Real, Dimension>(radii, loop, list);
         const double ratio = settings.exposure.radius_ratio;
         if (settings.curvature == CurvatureForm::mapped)
-            find_mapped_curvature<Real, Dimension>(settings.map, ratio, loop, list,
+            find_mapped_curvature<Real, Dimension>(settings.map, ratio, radii, loop, list,
                                                    curvatures_before);
         else
-            find_curvature<Real, Dimension>(ratio, loop, list);
+            find_curvature<Real, Dimension>(ratio, radii, loop, list);
         for (int pass = 0; pass < settings.curvature_passes; ++pass)
             smooth_curvature<Real, Dimension>(settings.tau, loop, list, curvatures_before);
         find_force<Real, Dimension>(settings.force, radii, loop, list);
