@@ -36,8 +36,9 @@ struct SurfaceTensionOptions {
     int normal_passes = 1;
     double covariance_share = 0; ///< of normals from positions (eq. 7), 0 to 1
     CurvatureForm curvature = CurvatureForm::mapped;
-    CurvatureMap map{};       ///< where it is mapped
-    int curvature_passes = 0; ///< smoothing of the curvature
+    CurvatureMap map{};         ///< where it is mapped
+    int curvature_passes = 0;   ///< smoothing of the curvature
+    double history_share = 0.5; ///< of the last step's curvature, where the host keeps a history
     ForceOptions force;
 };
 
@@ -78,6 +79,8 @@ inline void check(const SurfaceTensionOptions& options, int dimension) {
     demand(options.normal_passes >= 0, "normal_passes must not be negative");
     demand(is_share(options.covariance_share), "covariance_share must be between 0 and 1");
     demand(options.curvature_passes >= 0, "curvature_passes must not be negative");
+    demand(is_share(options.history_share) && options.history_share < 1,
+           "history_share must be at least 0 and below 1");
     demand(is_finite(options.force.surface_tension), "surface_tension must be finite");
     demand(is_positive_and_finite(options.force.spacing_ratio),
            "spacing_ratio must be positive: support radius over particle spacing");
@@ -94,6 +97,10 @@ public:
         check(options, Dimension);
         set_samples(options.samples);
     }
+
+    /// The host's memory of curvatures, for smoothing over time steps; nullptr: none. It outlives
+    /// the steps, and the host reorders it together with its particles.
+    TemporalCurvature<Real>* history = nullptr;
 
     /// What the last step found.
     [[nodiscard]] const SurfaceParticles<Real, Dimension>& surface() const { return list; }
@@ -217,6 +224,8 @@ private:
             find_curvature<Real, Dimension>(ratio, radii, loop, list);
         for (int pass = 0; pass < settings.curvature_passes; ++pass)
             smooth_curvature<Real, Dimension>(settings.tau, loop, list, curvatures_before);
+        if (history != nullptr)
+            history->smooth(settings.history_share, list);
         find_force<Real, Dimension>(settings.force, radii, loop, list);
     }
 
