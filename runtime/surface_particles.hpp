@@ -80,9 +80,9 @@ struct SurfaceParticles {
     std::vector<Real> weight;   ///< in forces and averages, 0 to 1 (exposure_weight)
     std::vector<Vector> normal; ///< unit vector out of the fluid; zero where covered
     std::vector<Real> turning;  ///< of the normals, 1/m (curvature_map.hpp)
-    std::vector<Real> curvature;            ///< mean curvature kappa, 1/m
-    std::vector<Vector> force;              ///< N
-    std::vector<std::uint32_t> pairs_begin; ///< of each slot, in `pairs`, and where the last ends
+    std::vector<Real> curvature;          ///< mean curvature kappa, 1/m
+    std::vector<Vector> force;            ///< N
+    std::vector<std::size_t> pairs_begin; ///< of each slot, in `pairs`, and where the last ends
     std::vector<std::uint32_t> pairs_count;
     std::vector<SurfacePair<Real, Dimension>> pairs;
 
@@ -95,8 +95,8 @@ struct SurfaceParticles {
             values->reserve(count);
         for (auto* vectors : {&normal, &force})
             vectors->reserve(count);
-        for (auto* counts : {&pairs_begin, &pairs_count})
-            counts->reserve(count + 1);
+        pairs_begin.reserve(count + 1);
+        pairs_count.reserve(count);
         pairs.reserve(pair_count + count);
     }
 
@@ -120,7 +120,7 @@ template <class Real, int Dimension>
 void number_candidates(SurfaceParticles<Real, Dimension>& list) {
     list.particle.clear();
     list.pairs_begin.clear();
-    std::uint32_t pairs = 0;
+    std::size_t pairs = 0;
     for (std::size_t i = 0; i < list.slot_of.size(); ++i) {
         const std::int32_t neighbors = list.slot_of[i];
         if (neighbors < 0)
@@ -128,7 +128,7 @@ void number_candidates(SurfaceParticles<Real, Dimension>& list) {
         list.slot_of[i] = static_cast<std::int32_t>(list.particle.size());
         list.particle.push_back(static_cast<std::uint32_t>(i));
         list.pairs_begin.push_back(pairs);
-        pairs += static_cast<std::uint32_t>(neighbors) + 1; // one to write to before it counts
+        pairs += static_cast<std::size_t>(neighbors) + 1; // one to write to before it counts
     }
     list.pairs_begin.push_back(pairs);
     list.resize_slots(pairs);
@@ -139,9 +139,17 @@ void number_candidates(SurfaceParticles<Real, Dimension>& list) {
 /// questions: a pinhole in the second layer is surface, but as lambda goes to 0 the closed form
 /// goes to h kappa = -2 and not to 0, and the normal is that of chance. Exposure is lambda for
 /// small openings, and vanishes as well where a thin sheet is uncovered on both sides.
-/// `fade` 0: every surface particle weighs 1, as in the 2020 paper.
-inline double exposure_weight(double exposure, double fade) {
-    return exposure < fade ? exposure / fade : 1;
+/// `full` 0: every surface particle weighs 1, as in the 2020 paper.
+inline double exposure_weight(double exposure, double full) {
+    return exposure < full ? exposure / full : 1;
+}
+
+/// Exposure of a particle on a flat, dense surface: the uncovered part is the cap whose edge lies
+/// at the height r2 / r1.
+template <int Dimension>
+double flat_exposure(double radius_ratio) {
+    const double square = 1 - radius_ratio * radius_ratio;
+    return Dimension == 2 ? std::sqrt(square) / pi : square / 4;
 }
 
 /// What one concurrent caller works with.
@@ -163,7 +171,8 @@ struct ExposureOptions {
     double radius_ratio = 0.8; ///< r2 / r1, in (0, 1)
     CoverageMethod method = CoverageMethod::sampled;
     Verification verification = Verification::exact;
-    double fade = 0.03; ///< exposure at which a particle weighs 1; 0: always (exposure_weight)
+    /// Exposure at which a particle weighs 1, over that on a flat surface; 0: always.
+    double fade = 1.0 / 3;
 };
 
 /// How many neighbors a candidate can have on the surface; -1 where the line says interior.
@@ -276,7 +285,7 @@ MENISCUS_INLINE Vector3 collect(const View& view, const Boundary& boundary, cons
     const std::int32_t* const slot_of = list.slot_of.data();
     const std::size_t particles = list.slot_of.size();
     auto* const pairs = list.pairs.data() + list.pairs_begin[slot];
-    const std::uint32_t pairs_room = list.pairs_begin[slot + 1] - list.pairs_begin[slot] - 1;
+    const std::size_t pairs_room = list.pairs_begin[slot + 1] - list.pairs_begin[slot] - 1;
     std::uint32_t pairs_count = 0;
     Real inward[Dimension] = {};
     std::size_t count = 0;
@@ -333,13 +342,14 @@ UncoveredPart exact_part(const View& view, const Boundary& boundary, const Radii
 
 /// Notes what was found of a candidate.
 template <class Real, int Dimension>
-void note(const UncoveredPart& part, bool is_surface, double fade, std::size_t slot,
-          SurfaceParticles<Real, Dimension>& list) {
+void note(const UncoveredPart& part, bool is_surface, const ExposureOptions& options,
+          std::size_t slot, SurfaceParticles<Real, Dimension>& list) {
     list.surface_class[slot] = is_surface ? SurfaceClass::surface : SurfaceClass::covered;
     list.uncovered_fraction[slot] = is_surface ? static_cast<Real>(part.fraction) : 0;
     const double length = std::sqrt(dot(part.moment, part.moment));
     list.exposure[slot] = is_surface ? static_cast<Real>(length) : 0;
-    list.weight[slot] = is_surface ? static_cast<Real>(exposure_weight(length, fade)) : 0;
+    const double full = options.fade * flat_exposure<Dimension>(options.radius_ratio);
+    list.weight[slot] = is_surface ? static_cast<Real>(exposure_weight(length, full)) : 0;
     const double scale = is_surface && length > least_exposure ? 1 / length : 0;
     for (int axis = 0; axis < Dimension; ++axis)
         list.normal[slot][axis] = static_cast<Real>(part.moment[axis] * scale);
@@ -381,7 +391,7 @@ void find_exposure(const View& view, const Boundary& boundary, const Radii& radi
                                                    exact);
                 is_surface = part.fraction > zero_uncovered_fraction;
             }
-            note(part, is_surface, options.fade, slot, list);
+            note(part, is_surface, options, slot, list);
         }
     });
 }

@@ -100,8 +100,7 @@ void find_exposure_reference(const View& view, const Radii& radii,
                 add_cap<Dimension>(exact.caps, step, 1, ratio);
             part = uncovered_part<Dimension>(cells, exact);
         }
-        surface_particles::note(part, part.fraction > zero_uncovered_fraction, options.fade, slot,
-                                list);
+        surface_particles::note(part, part.fraction > zero_uncovered_fraction, options, slot, list);
     }
 }
 
