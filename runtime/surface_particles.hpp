@@ -312,9 +312,12 @@ MENISCUS_INLINE Vector3 collect(const View& view, const Boundary& boundary, cons
             // Full only where a host's count is wrong, or a distance at a limit rounds otherwise.
             const bool has_room = pairs_count < pairs_room;
             const std::int32_t neighbor = j < particles && has_room ? slot_of[j] : -1;
-            pairs[pairs_count] = {static_cast<std::uint32_t>(neighbor),
-                                  1 - std::sqrt(distance_squared),
-                                  in_own_radius(step, radii, list.particle[slot], j)};
+            auto& pair = pairs[pairs_count];
+            pair.slot = static_cast<std::uint32_t>(neighbor);
+            pair.weight = 1 - std::sqrt(distance_squared);
+            const auto& own = in_own_radius(step, radii, list.particle[slot], j);
+            for (int axis = 0; axis < Dimension; ++axis)
+                pair.step[axis] = own[axis];
             pairs_count += neighbor >= 0 ? 1 : 0;
         });
     caps.count = count;
