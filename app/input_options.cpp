@@ -1,9 +1,9 @@
 #include "label.hpp"
 
 #include <meniscus/data/errors.hpp>
+#include <meniscus/data/particle_arrays.hpp>
 #include <meniscus/data/snapshot_files.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -13,26 +13,6 @@ namespace {
 void check_positive(const char* option, const std::optional<double>& value) {
     if (value && !(*value > 0 && std::isfinite(*value)))
         throw InputError(fmt::format("{} must be positive and finite, found {}", option, *value));
-}
-
-/// The value that all particles of the file share, where it stores one for each.
-std::optional<double> constant_support_radius(const Snapshot& snapshot) {
-    if (find_array(snapshot, "support_radius") == nullptr || snapshot.size() == 0)
-        return {};
-    auto radii = scalar_values(snapshot, "support_radius");
-    for (std::size_t i = 0; i < radii.size(); ++i)
-        if (!std::isfinite(radii[i]))
-            throw InputError(fmt::format("particle {} has support radius {}", i, radii[i]));
-    const auto [smallest, largest] = std::minmax_element(radii.begin(), radii.end());
-    if (*smallest == *largest)
-        return radii[0];
-    const auto range = fmt::format("{:.4g} to {:.4g} m", *smallest, *largest);
-    const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
-    std::nth_element(radii.begin(), middle, radii.end());
-    throw InputError(
-        fmt::format("its particles have support radii from {}; radii that vary are not "
-                    "supported, give one with --support-radius (their median is {:.4g})",
-                    range, *middle));
 }
 
 /// Two-dimensional states lie in a plane of constant z.
@@ -53,8 +33,9 @@ void check_is_flat(const Positions& positions) {
 
 void add_input_options(CLI::App& verb, InputOptions& options) {
     verb.add_option("--support-radius", options.support_radius,
-                    "Kernel radius h in m, where the files do not store it (SPlisHSPlasH: 4 "
-                    "particle radii)");
+                    "Kernel radius h in m of all particles, where the files do not store it "
+                    "(SPlisHSPlasH: 4 particle radii) or in place of what they store, be it one "
+                    "for each particle");
     verb.add_option("--particle-spacing", options.particle_spacing,
                     "Initial distance of particles in m, where the files do not store it");
     verb.add_option("--dimension", options.dimension,
@@ -80,12 +61,9 @@ Snapshot read_input(const Path& file, const InputOptions& options) {
         snapshot.support_radius = options.support_radius;
         snapshot.provenance.erase("support_radius_from");
     }
-    if (!snapshot.support_radius)
-        snapshot.support_radius = constant_support_radius(snapshot);
-    if (!snapshot.support_radius)
-        throw InputError(fmt::format("{}: no support radius is stored; give the kernel radius h in "
-                                     "m with --support-radius",
-                                     file.string()));
+    const SupportRadii radii = support_radii(snapshot);
+    if (!radii.vary())
+        snapshot.support_radius = radii.largest;
     check_positive("the stored support radius", snapshot.support_radius);
     return snapshot;
 }
@@ -109,11 +87,18 @@ void set_boundary(Snapshot& snapshot, const Boundary& boundary) {
     snapshot.provenance["boundary_hash"] = boundary.hash;
 }
 
+std::string support_radius_text(const Snapshot& snapshot) {
+    const SupportRadii radii = support_radii(snapshot);
+    return radii.vary()
+               ? fmt::format("support radii of {:.4g} to {:.4g} m", radii.smallest, radii.largest)
+               : fmt::format("support radius of {} m", radii.largest);
+}
+
 std::string support_radius_note(const Snapshot& snapshot) {
     const auto from = snapshot.provenance.find("support_radius_from");
     if (from == snapshot.provenance.end())
         return {};
-    return fmt::format("    support radius {} m: {}\n", *snapshot.support_radius, from->second);
+    return fmt::format("    {}: {}\n", support_radius_text(snapshot), from->second);
 }
 
 } // namespace meniscus

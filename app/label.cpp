@@ -2,6 +2,7 @@
 #include "label.hpp"
 
 #include <meniscus/data/errors.hpp>
+#include <meniscus/data/particle_arrays.hpp>
 #include <meniscus/data/snapshot_files.hpp>
 #include <meniscus/data/text.hpp>
 #include <meniscus/data/vtkhdf.hpp>
@@ -29,10 +30,11 @@ void report(const Path& output, const Snapshot& snapshot, const Labels& labels,
     const double mean = mean_neighbor_count(labels);
     const auto [lowest, highest] = plausible_neighbor_counts(snapshot.dimension);
     if (snapshot.size() > 0 && (mean < lowest || mean > highest))
-        print_error_line(fmt::format(
-            "warning: {}: a mean neighbor count of {:.1f} is implausible in {}D "
-            "(expected {} to {}); is the support radius of {} m right?",
-            output.string(), mean, snapshot.dimension, lowest, highest, *snapshot.support_radius));
+        print_error_line(
+            fmt::format("warning: {}: a mean neighbor count of {:.1f} is implausible in {}D "
+                        "(expected {} to {}); is the {} right?",
+                        output.string(), mean, snapshot.dimension, lowest, highest,
+                        support_radius_text(snapshot)));
     if (quiet)
         return;
     const auto surface = std::accumulate(labels.surface.begin(), labels.surface.end(), 0UL);
@@ -55,7 +57,8 @@ void label_file(const Path& input, const Path& output, const Boundary& boundary,
     if (command.no_boundary)
         snapshot.boundary.clear();
     set_boundary(snapshot, boundary);
-    set_label_provenance(snapshot, *snapshot.support_radius, command.label);
+    const SupportRadii radii = support_radii(snapshot);
+    set_label_provenance(snapshot, radii, command.label);
     snapshot.provenance["input_hash"] = file_hash(input);
     if (is_up_to_date(output, snapshot)) {
         if (!command.quiet)
@@ -66,9 +69,9 @@ void label_file(const Path& input, const Path& output, const Boundary& boundary,
         ProgressBar bar(output.filename().string(), snapshot.size(), command.quiet);
         LabelOptions options = command.label;
         options.progress = [&](std::size_t done) { bar.show(done); };
-        return label_particles(snapshot, *snapshot.support_radius, options);
+        return label_particles(snapshot, radii, options);
     }();
-    add_labels(snapshot, labels, *snapshot.support_radius, command.label);
+    add_labels(snapshot, labels, radii, command.label);
     {
         const WriteGuard guard;
         write_vtkhdf(snapshot, output);

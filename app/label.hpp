@@ -22,8 +22,9 @@ struct InputOptions {
 void add_input_options(CLI::App& verb, InputOptions& options);
 
 /// Reads a snapshot of any format and completes it with the options. The support radius is that of
-/// the options, else the stored one, else the constant value of a `support_radius` array. Throws
-/// InputError where there is none, or where a number is not positive and finite.
+/// the options, else the stored one, else that of a `support_radius` array; where its values
+/// differ, the snapshot has no radius for all and support_radii() has them. Throws InputError where
+/// there is none, or where a number for all is not positive and finite.
 Snapshot read_input(const Path& file, const InputOptions& options);
 
 /// Boundary particles from a file of their own.
@@ -39,6 +40,9 @@ Boundary read_boundary(const Path& file);
 /// Replaces the snapshot's boundary by one that is not empty, and says in the provenance where it
 /// comes from.
 void set_boundary(Snapshot& snapshot, const Boundary& boundary);
+
+/// The snapshot's support radius, or the range of its radii, in words.
+std::string support_radius_text(const Snapshot& snapshot);
 
 /// A line to print where the reader had to choose the support radius; empty elsewhere.
 std::string support_radius_note(const Snapshot& snapshot);

@@ -21,7 +21,7 @@ NormalCase case_of(Cloud cloud, const IsCandidate& is_candidate) {
         const bool wanted = is_candidate(i);
         found.clear();
         if (wanted)
-            grid.find_around(cloud.positions[i], found);
+            grid.find_around(cloud.positions[i], cloud.support_radius, found);
         made.candidate.push_back(wanted ? 1 : 0);
         made.neighbor_count.push_back(static_cast<std::int32_t>(found.size()));
         made.lists.neighbors.insert(made.lists.neighbors.end(), found.particles.begin(),
@@ -73,7 +73,7 @@ bool touches_empty_ball(const Positions& positions, std::size_t i, double radius
         std::array<double, 3> center = positions[i];
         for (int axis = 0; axis < 3; ++axis)
             center[axis] += 1.0001 * radius * direction[axis]; // the particle itself is out of it
-        grid.find_around(center, found);
+        grid.find_around(center, radius, found);
         if (found.size() == 0)
             return true;
     }

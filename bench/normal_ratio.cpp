@@ -31,7 +31,7 @@ MeanError squared_curvature_error(const NormalCase& some, const List& list) {
         if (some.measured[i] == 0 || list.surface_class[slot] != SurfaceClass::surface)
             continue;
         const double difference =
-            list.curvature[slot] - some.cloud.mean_curvature[i] * some.cloud.support_radius;
+            some.cloud.support_radius * (list.curvature[slot] - some.cloud.mean_curvature[i]);
         error.add(difference * difference);
     }
     return error;
@@ -66,7 +66,9 @@ RatioErrors errors_of(const std::vector<NormalCase>& cases, const ExposureOption
     for (std::size_t seed = 0; seed < cases.size(); ++seed) {
         fill(seed, directions);
         expose<3>(cases[seed], directions, options, list);
-        find_curvature<double, 3>(options.radius_ratio, SerialLoop{}, list);
+        find_curvature<double, 3>(options.radius_ratio,
+                                  UniformRadius<double>{cases[seed].cloud.support_radius},
+                                  SerialLoop{}, list);
         if (!cases[seed].cloud.normal.empty()) {
             errors.angle.add(angular_error<3>(cases[seed], list));
             errors.curvature.add(squared_curvature_error(cases[seed], list));

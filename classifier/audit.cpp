@@ -4,10 +4,12 @@
 #include "confidence.hpp"
 
 #include <meniscus/data/errors.hpp>
+#include <meniscus/data/particle_arrays.hpp>
 #include <meniscus/data/snapshot_files.hpp>
 #include <meniscus/data/text.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace meniscus {
 namespace {
@@ -134,7 +136,7 @@ AuditRow audit_state(const Model& model, const Snapshot& snapshot, const Labelle
     check_boundary_rule(model, state.boundary_counts, state.file);
     const auto valid = valid_particles(snapshot, state.file);
     const auto neighborhoods = naming_file(state.file, [&] {
-        return find_neighborhoods(snapshot, state.support_radius, valid, state.boundary_counts,
+        return find_neighborhoods(snapshot, support_radii(snapshot), valid, state.boundary_counts,
                                   threads);
     });
     const auto in_double = predict(model, snapshot, neighborhoods, Precision::float64);
@@ -149,8 +151,9 @@ AuditRow audit_state(const Model& model, const Snapshot& snapshot, const Labelle
             continue;
         count_particle(state.uncovered_fraction[entry], label_threshold, in_double.surface[i] != 0,
                        in_float.surface[i] != 0, row);
-        row.features_differ +=
-            static_cast<std::size_t>(in_double.neighbor_count[i] != state.neighbor_count[entry]);
+        // Counts are sums of fractions where radii vary, else whole.
+        row.features_differ += static_cast<std::size_t>(
+            std::fabs(in_double.neighbor_count[i] - state.neighbor_count[entry]) > 1e-6);
         ++entry;
     }
     const bool trained_on = was_trained_on(model, state.hash);

@@ -14,11 +14,11 @@ namespace {
 
 /// The model's line, scaled to the state where it is relative.
 template <class Real>
-SurfaceLine<Real> line_for(const Model& model, const std::vector<std::uint32_t>& counts,
+SurfaceLine<Real> line_for(const Model& model, const std::vector<double>& counts,
                            const std::vector<std::uint8_t>& valid) {
     if (model.reference_neighbor_count == 0)
         return {static_cast<Real>(model.line.k), static_cast<Real>(model.line.d)};
-    std::vector<std::uint32_t> of_valid;
+    std::vector<double> of_valid;
     for (std::size_t i = 0; i < counts.size(); ++i)
         if (valid[i] != 0)
             of_valid.push_back(counts[i]);
@@ -37,40 +37,60 @@ std::vector<Real> coordinates_of(const Positions& positions) {
 }
 
 /// The view of a host with two point sets: the neighbors in the fluid, then those in the boundary.
+/// These have no support radius of their own; as number j they are given particle i's, whose radius
+/// then holds for the pair.
 template <class Real, int Dimension>
 struct FluidAndBoundary {
     CsrNeighborhood<Real, Dimension, 3> fluid;
     const Real* boundary;       ///< coordinates, as those of the fluid
     const NeighborLists& lists; ///< boundary neighbors of the fluid particles
-    Real boundary_mass;
+    Real boundary_mass;         ///< kg; 0: that of particle i
 
     template <class Visit>
     void operator()(std::size_t i, Visit&& visit) const {
         fluid(i, visit);
         const Real* center = fluid.positions + 3 * i;
+        const Real own_mass = fluid.masses != nullptr ? fluid.masses[i] : Real(1);
         for (std::size_t n = lists.offsets[i]; n < lists.offsets[i + 1]; ++n) {
             const Real* position = boundary + std::size_t{3} * lists.neighbors[n];
             std::array<Real, Dimension> displacement;
             for (int axis = 0; axis < Dimension; ++axis)
                 displacement[axis] = position[axis] - center[axis];
-            visit(lists.neighbors[n], displacement, boundary_mass);
+            visit(i, displacement, boundary_mass == 0 ? own_mass : boundary_mass);
         }
     }
 };
 
 template <class Real, int Dimension, class View>
 Predictions predict_over(const View& view, const Model& model, const Neighborhoods& neighborhoods) {
-    const auto range = neighbor_range<Real>(neighborhoods.support_radius, model.radius_ratio);
-    const auto support_radius = static_cast<Real>(neighborhoods.support_radius);
+    const auto range = neighbor_range<Real>(neighborhoods.radii.largest, model.radius_ratio);
+    const auto support_radius = static_cast<Real>(neighborhoods.radii.largest);
     const std::size_t count = neighborhoods.valid.size();
     Predictions predictions;
     predictions.surface.resize(count);
     predictions.neighbor_count.resize(count);
     for (std::size_t i = 0; i < count; ++i)
-        predictions.neighbor_count[i] =
-            static_cast<std::uint32_t>(sum_features<Real, Dimension>(view, i, range).count);
+        predictions.neighbor_count[i] = sum_features<Real, Dimension>(view, i, range).count;
     const auto line = line_for<Real>(model, predictions.neighbor_count, neighborhoods.valid);
     classify<Real, Dimension>(view, 0, count, support_radius, line, range,
+                              predictions.surface.data());
+    return predictions;
+}
+
+/// The same where radii vary.
+template <class Real, int Dimension, class View>
+Predictions predict_scaled(const View& view, const Model& model,
+                           const Neighborhoods& neighborhoods) {
+    const std::vector<Real> each(neighborhoods.radii.each.begin(), neighborhoods.radii.each.end());
+    const VaryingRadii<Real> radii{each.data()};
+    const auto range = neighbor_range<Real>(1, model.radius_ratio);
+    Predictions predictions;
+    predictions.surface.resize(each.size());
+    for (std::size_t i = 0; i < each.size(); ++i)
+        predictions.neighbor_count.push_back(
+            static_cast<double>(sum_features<Real, Dimension>(view, i, radii, range).count));
+    const auto line = line_for<Real>(model, predictions.neighbor_count, neighborhoods.valid);
+    classify<Real, Dimension>(view, 0, each.size(), radii, line, model.radius_ratio,
                               predictions.surface.data());
     return predictions;
 }
@@ -83,13 +103,16 @@ Predictions predict_as(const Model& model, const Snapshot& snapshot,
     const CsrNeighborhood<Real, Dimension, 3> fluid{
         coordinates.data(), masses.empty() ? nullptr : masses.data(),
         neighborhoods.lists.offsets.data(), neighborhoods.lists.neighbors.data()};
+    const bool vary = neighborhoods.radii.vary();
     if (neighborhoods.boundary_lists.offsets.empty())
-        return predict_over<Real, Dimension>(fluid, model, neighborhoods);
+        return vary ? predict_scaled<Real, Dimension>(fluid, model, neighborhoods)
+                    : predict_over<Real, Dimension>(fluid, model, neighborhoods);
     const auto boundary = coordinates_of<Real>(snapshot.boundary);
     const FluidAndBoundary<Real, Dimension> both{fluid, boundary.data(),
                                                  neighborhoods.boundary_lists,
                                                  static_cast<Real>(neighborhoods.boundary_mass)};
-    return predict_over<Real, Dimension>(both, model, neighborhoods);
+    return vary ? predict_scaled<Real, Dimension>(both, model, neighborhoods)
+                : predict_over<Real, Dimension>(both, model, neighborhoods);
 }
 
 template <class Real>
@@ -100,16 +123,16 @@ Predictions predict_as(const Model& model, const Snapshot& snapshot,
 }
 
 /// The boundary particles around each valid particle, in compressed rows.
-NeighborLists find_boundary(const Snapshot& snapshot, double support_radius,
+NeighborLists find_boundary(const Snapshot& snapshot, const SupportRadii& radii,
                             const std::vector<std::uint8_t>& valid, int threads) {
     check_boundary(snapshot);
-    const NeighborGrid grid(snapshot.boundary, support_radius, {}, threads);
+    const NeighborGrid grid(snapshot.boundary, radii.smallest, {}, threads);
     NeighborLists lists{{0}, {}};
     FoundNeighbors found;
     for (std::size_t i = 0; i < snapshot.size(); ++i) {
         found.clear();
         if (valid[i] != 0)
-            grid.find_around(snapshot.positions[i], found);
+            grid.find_around(snapshot.positions[i], radii.of(i), found);
         lists.neighbors.insert(lists.neighbors.end(), found.particles.begin(),
                                found.particles.end());
         lists.offsets.push_back(lists.neighbors.size());
@@ -119,7 +142,7 @@ NeighborLists find_boundary(const Snapshot& snapshot, double support_radius,
 
 /// Typical neighbor count of the particles taken for interior ones.
 std::optional<double> interior_neighbor_count(const Classes& classes) {
-    std::vector<std::uint32_t> counts;
+    std::vector<double> counts;
     for (std::size_t i = 0; i < classes.surface.size(); ++i)
         if (classes.valid[i] != 0 && classes.surface[i] == 0)
             counts.push_back(classes.neighbor_count[i]);
@@ -130,19 +153,19 @@ std::optional<double> interior_neighbor_count(const Classes& classes) {
 
 } // namespace
 
-Neighborhoods find_neighborhoods(const Snapshot& snapshot, double support_radius,
+Neighborhoods find_neighborhoods(const Snapshot& snapshot, const SupportRadii& radii,
                                  const std::vector<std::uint8_t>& valid, bool boundary_counts,
                                  int threads) {
     const auto phases = integer_values(snapshot, "phase", valid);
     Neighborhoods result;
     result.masses = checked_masses(snapshot, valid);
-    result.support_radius = support_radius;
+    result.radii = radii;
     result.valid = valid;
-    result.lists = find_neighbors(snapshot.positions, support_radius,
+    result.lists = find_neighbors(snapshot.positions, radii,
                                   {&valid, phases.empty() ? nullptr : &phases}, threads);
     if (boundary_counts && !snapshot.boundary.empty()) {
-        result.boundary_lists = find_boundary(snapshot, support_radius, valid, threads);
-        result.boundary_mass = mean_mass(result.masses, valid);
+        result.boundary_lists = find_boundary(snapshot, radii, valid, threads);
+        result.boundary_mass = radii.vary() ? 0 : mean_mass(result.masses, valid);
     }
     return result;
 }
@@ -156,14 +179,13 @@ Predictions predict(const Model& model, const Snapshot& snapshot,
 Classes classify_snapshot(const Snapshot& snapshot, const Model& model,
                           const ClassifyOptions& options) {
     check_dimension(model, snapshot.dimension, "the snapshot");
-    if (!snapshot.support_radius)
-        throw InputError("no support radius is stored; give --support-radius");
+    const SupportRadii radii = support_radii(snapshot);
     Classes classes;
     classes.valid = checked_positions(snapshot, options.skip_invalid);
-    auto predictions = predict(model, snapshot,
-                               find_neighborhoods(snapshot, *snapshot.support_radius, classes.valid,
-                                                  model.boundary_counts, options.threads),
-                               Precision::float64);
+    auto predictions = predict(
+        model, snapshot,
+        find_neighborhoods(snapshot, radii, classes.valid, model.boundary_counts, options.threads),
+        Precision::float64);
     classes.surface = std::move(predictions.surface);
     classes.neighbor_count = std::move(predictions.neighbor_count);
     for (std::size_t i = 0; i < classes.surface.size(); ++i)
@@ -173,8 +195,8 @@ Classes classify_snapshot(const Snapshot& snapshot, const Model& model,
         classes.warnings.emplace_back(
             "the model counts boundary particles and there are none; give them with --boundary");
     ModelUse use{"", {}, interior_neighbor_count(classes)};
-    if (snapshot.particle_spacing)
-        use.spacing_ratio = *snapshot.support_radius / *snapshot.particle_spacing;
+    if (snapshot.particle_spacing && !radii.vary())
+        use.spacing_ratio = radii.largest / *snapshot.particle_spacing;
     const std::string warning = outside_trained_range(model, {use});
     if (!warning.empty())
         classes.warnings.push_back(warning);

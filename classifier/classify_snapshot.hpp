@@ -18,27 +18,29 @@ struct Neighborhoods {
     NeighborLists lists;
     NeighborLists boundary_lists; ///< indices of boundary particles; empty where none counts
     std::vector<double> masses;   ///< kg, one a particle; empty where all are equal
-    double boundary_mass = 1;     ///< kg, of each boundary particle; mean_mass of the fluid
-    double support_radius = 0;    ///< h in m
+    /// kg, of each boundary particle: mean_mass of the fluid; 0: that of its neighbor.
+    double boundary_mass = 1;
+    SupportRadii radii = 0; ///< h in m
     std::vector<std::uint8_t> valid;
 };
 
 /// The neighborhoods of the particles whose `valid` is not 0: a `phase` array keeps phases apart, a
 /// `mass` array weights the features. With `boundary_counts` the snapshot's boundary particles are
-/// neighbors too, whatever the phase. `threads` 0 takes all cores. Throws InputError where such an
+/// neighbors too, whatever the phase; where radii vary, each with radius and mass of the particle
+/// that it is a neighbor of. `threads` 0 takes all cores. Throws InputError where such an
 /// array cannot be used, where the mass of a valid particle is not positive, or where the neighbor
 /// search refuses; likewise for a boundary that counts.
-Neighborhoods find_neighborhoods(const Snapshot& snapshot, double support_radius,
+Neighborhoods find_neighborhoods(const Snapshot& snapshot, const SupportRadii& radii,
                                  const std::vector<std::uint8_t>& valid, bool boundary_counts,
                                  int threads);
 
 /// One entry a particle, in the snapshot's order.
 struct Predictions {
-    std::vector<std::uint8_t> surface;         ///< 1 surface, 0 interior
-    std::vector<std::uint32_t> neighbor_count; ///< feature y
+    std::vector<std::uint8_t> surface;  ///< 1 surface, 0 interior
+    std::vector<double> neighbor_count; ///< feature y; whole where radii do not vary
 };
 
-/// Runs the runtime's classifier with positions, masses, h and line in the given precision. A
+/// Runs the runtime's classifier with positions, masses, radii and line in the given precision. A
 /// relative line is scaled to the median neighbor count of the valid particles.
 Predictions predict(const Model& model, const Snapshot& snapshot,
                     const Neighborhoods& neighborhoods, Precision precision);
@@ -50,10 +52,10 @@ struct ClassifyOptions {
 
 /// One entry a particle, in the snapshot's order.
 struct Classes {
-    std::vector<std::uint8_t> surface;         ///< 1 surface, 0 interior or not valid
-    std::vector<std::uint8_t> valid;           ///< 0 where left out
-    std::vector<std::uint32_t> neighbor_count; ///< feature y
-    std::vector<std::string> warnings;         ///< one line each, for standard error
+    std::vector<std::uint8_t> surface;  ///< 1 surface, 0 interior or not valid
+    std::vector<std::uint8_t> valid;    ///< 0 where left out
+    std::vector<double> neighbor_count; ///< feature y; whole where radii do not vary
+    std::vector<std::string> warnings;  ///< one line each, for standard error
 };
 
 /// Classifies a snapshot in double. Its boundary particles count where the model says that they do;

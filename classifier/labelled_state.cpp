@@ -50,21 +50,18 @@ std::vector<double> checked_values(const Snapshot& snapshot, const std::string& 
     return values;
 }
 
-std::vector<std::uint32_t> neighbor_counts(const Snapshot& snapshot, bool boundary_counts,
-                                           const std::vector<double>& valid,
-                                           const std::string& file) {
+/// Whole numbers, unless radii vary: each neighbor then counts up to 2^3 (scaled_features.hpp).
+std::vector<double> neighbor_counts(const Snapshot& snapshot, bool boundary_counts, bool radii_vary,
+                                    const std::vector<double>& valid, const std::string& file) {
     const std::size_t particles =
         snapshot.size() + (boundary_counts ? snapshot.boundary.size() : 0);
-    const double largest =
-        std::min<double>(static_cast<double>(particles), std::numeric_limits<std::uint32_t>::max());
-    const auto values = checked_values(snapshot, "neighbor_count", valid, largest, file);
-    std::vector<std::uint32_t> counts(values.size());
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        counts[i] = static_cast<std::uint32_t>(values[i]);
-        if (counts[i] != values[i])
-            throw InputError(file + ": 'neighbor_count' has the value " + number_text(values[i]) +
+    const double largest = std::min<double>(static_cast<double>(particles) * (radii_vary ? 8 : 1),
+                                            std::numeric_limits<std::uint32_t>::max());
+    auto counts = checked_values(snapshot, "neighbor_count", valid, largest, file);
+    for (const double count : counts)
+        if (!radii_vary && count != std::trunc(count))
+            throw InputError(file + ": 'neighbor_count' has the value " + number_text(count) +
                              ", expected whole numbers; label the snapshot again");
-    }
     return counts;
 }
 
@@ -91,13 +88,16 @@ bool labelled_boundary_rule(const Snapshot& snapshot, const std::string& file) {
     return *counts;
 }
 
-double checked_support_radius(const Snapshot& snapshot, const std::string& file) {
+/// Nothing where each particle has its own.
+std::optional<double> checked_support_radius(const Snapshot& snapshot, const std::string& file) {
+    if (!snapshot.support_radius && find_array(snapshot, "support_radius") != nullptr)
+        return {};
     if (!snapshot.support_radius)
         not_labelled(file, "support radius");
     if (!(*snapshot.support_radius > 0 && std::isfinite(*snapshot.support_radius)))
         throw InputError(file + ": support radius is " + number_text(*snapshot.support_radius) +
                          ", expected a positive number; label the snapshot again");
-    return *snapshot.support_radius;
+    return snapshot.support_radius;
 }
 
 } // namespace
@@ -112,8 +112,9 @@ LabelledState labelled_state(const Snapshot& snapshot, const std::filesystem::pa
         checked_values(snapshot, "uncovered_fraction", valid, 1, file.string());
     state.mass_offset = checked_values(snapshot, "mass_offset", valid, 1, file.string());
     state.boundary_counts = labelled_boundary_rule(snapshot, file.string());
-    state.neighbor_count = neighbor_counts(snapshot, state.boundary_counts, valid, file.string());
     state.support_radius = checked_support_radius(snapshot, file.string());
+    state.neighbor_count = neighbor_counts(snapshot, state.boundary_counts, !state.support_radius,
+                                           valid, file.string());
     state.radius_ratio = labelled_radius_ratio(snapshot, file.string());
     if (snapshot.particle_spacing && *snapshot.particle_spacing > 0 &&
         std::isfinite(*snapshot.particle_spacing))
@@ -130,9 +131,9 @@ LabelledState read_labelled_state(const std::filesystem::path& file, const std::
 }
 
 std::optional<double> spacing_ratio(const LabelledState& state) {
-    if (!state.particle_spacing)
+    if (!state.particle_spacing || !state.support_radius)
         return {};
-    return state.support_radius / *state.particle_spacing;
+    return *state.support_radius / *state.particle_spacing;
 }
 
 void make_relative(LabelledState& state) {
@@ -145,7 +146,7 @@ void make_relative(LabelledState& state) {
 }
 
 std::optional<double> bulk_neighbor_count(const LabelledState& state) {
-    std::vector<std::uint32_t> counts;
+    std::vector<double> counts;
     for (std::size_t i = 0; i < state.size(); ++i)
         if (state.uncovered_fraction[i] == 0)
             counts.push_back(state.neighbor_count[i]);

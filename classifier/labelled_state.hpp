@@ -1,5 +1,5 @@
 // What training and audit need of a labelled snapshot: the two features and the uncovered fraction
-// of each valid particle, and what the file says of itself. Twenty bytes a particle, so that ten
+// of each valid particle, and what the file says of itself. 24 bytes a particle, so that ten
 // million particles are held with ease; never as tensors.
 #pragma once
 
@@ -18,16 +18,16 @@ struct LabelledState {
     std::string hash;  ///< SHA-256 of the file; empty for a state that was not read from one
     std::string scene; ///< scene_of() unless overridden
     int dimension = 3;
-    double support_radius = 0;              ///< h in m
+    std::optional<double> support_radius;   ///< h in m; nothing where each particle has its own
     double radius_ratio = 0;                ///< r2 / r1 that it was labelled with
     bool boundary_counts = false;           ///< boundary particles are neighbors in the features
     std::optional<double> particle_spacing; ///< initial distance of particles in m
     // One entry a valid particle, in the file's order:
-    std::vector<double> mass_offset;           ///< feature x, without unit
-    std::vector<std::uint32_t> neighbor_count; ///< feature y, before scaling
-    std::vector<double> uncovered_fraction;    ///< lambda
-    bool relative = false;                     ///< make_relative was called
-    double count_scale = 1;                    ///< set by it
+    std::vector<double> mass_offset;        ///< feature x, without unit
+    std::vector<double> neighbor_count;     ///< feature y, before scaling; whole for one radius
+    std::vector<double> uncovered_fraction; ///< lambda
+    bool relative = false;                  ///< make_relative was called
+    double count_scale = 1;                 ///< set by it
 
     [[nodiscard]] std::size_t size() const { return mass_offset.size(); }
     /// Feature y of an entry.
@@ -56,7 +56,8 @@ LabelledState labelled_state(const Snapshot& snapshot, const std::filesystem::pa
 /// Throws as read_snapshot and labelled_state do.
 LabelledState read_labelled_state(const std::filesystem::path& file, const std::string& scene);
 
-/// Support radius in particle spacings; nothing where the file does not say the spacing.
+/// Support radius in particle spacings; nothing where the file does not say the spacing, or where
+/// each particle has a radius of its own.
 std::optional<double> spacing_ratio(const LabelledState& state);
 
 /// Neighbor count typical of the bulk: the median over particles with lambda = 0; nothing where

@@ -11,9 +11,9 @@ extern "C" {
 
 /// One labelled state, not copied. Particles without neighbors take no part in a fit.
 struct MeniscusTrainingPart {
-    const double* mass_offset;           ///< feature x of each particle
-    const std::uint32_t* neighbor_count; ///< of each particle
-    const double* uncovered_fraction;    ///< lambda of each particle
+    const double* mass_offset;        ///< feature x of each particle
+    const double* neighbor_count;     ///< of each particle
+    const double* uncovered_fraction; ///< lambda of each particle
     std::size_t particles;
     double count_scale; ///< feature y is this times the neighbor count
     double weight;      ///< of each particle in the loss

@@ -61,6 +61,11 @@ void check_training(const std::vector<LabelledState>& states, const TrainingOpti
         throw InputError("'" + options.objective +
                          "' is no objective; expected neyman-pearson, logistic or network");
     check_label_threshold(options.label_threshold);
+    for (const LabelledState& state : states)
+        if (!state.support_radius)
+            throw InputError(state.file + ": its particles have support radii of their own, and "
+                                          "lines are trained on states of one radius; leave it "
+                                          "out, or label it with --support-radius");
     check_same_kind(states);
     if (options.keep_k) {
         check_dimension(*options.keep_k, states.front().dimension, states.front().file);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <omp.h>
+#include <optional>
 #include <string>
 
 namespace meniscus {
@@ -25,7 +26,7 @@ constexpr double largest_radius = 1e150;
 /// Particles sorted by the bucket that their cell falls into. With few enough cells a bucket is a
 /// cell; otherwise distant cells may share one, which costs a distance test and nothing else.
 struct NeighborGrid::Cells {
-    double radius_squared = 0;
+    double radius = 0; ///< largest of its particles
     std::array<double, 3> origin{};
     double inverse_cell_size = 0;
     Cell cells{1, 1, 1}; ///< number of cells along each axis
@@ -35,11 +36,21 @@ struct NeighborGrid::Cells {
     std::vector<std::uint32_t> order;        ///< particle at each sorted place
     Positions positions;                     ///< sorted
     std::vector<std::int64_t> phase;         ///< sorted, or empty
+    std::vector<double> radii;               ///< sorted, or empty where all are `radius`
+};
+
+/// A grid for all particles, or where radii vary, one for each factor of two. The places of a grid
+/// follow on those of the one before it.
+struct NeighborGrid::Levels {
+    std::vector<Cells> grids;
+    std::vector<std::size_t> first_place; ///< of each grid
+    std::size_t size = 0;                 ///< places of all
 };
 
 namespace {
 
 using Grid = NeighborGrid::Cells;
+using Levels = NeighborGrid::Levels;
 
 struct SortedRange {
     std::uint32_t begin;
@@ -80,14 +91,46 @@ bool is_valid(const NeighborFilter& filter, std::size_t i) {
     return filter.valid == nullptr || (*filter.valid)[i] != 0;
 }
 
-void check_input(const Positions& positions, double radius, const NeighborFilter& filter) {
+void check_radius(double radius, const std::string& subject) {
     if (!(radius > 0) || !std::isfinite(radius))
-        throw InputError("support radius must be positive and finite, found " +
-                         number_text(radius));
+        throw InputError(subject + " must be positive and finite, found " + number_text(radius));
     if (radius < smallest_radius || radius > largest_radius)
-        throw InputError("support radius must lie between " + number_text(smallest_radius) +
-                         " and " + number_text(largest_radius) + " m, found " +
-                         number_text(radius) + "; is it in m?");
+        throw InputError(subject + " must lie between " + number_text(smallest_radius) + " and " +
+                         number_text(largest_radius) + " m, found " + number_text(radius) +
+                         "; is it in m?");
+}
+
+void check_each_radius(const std::vector<double>& radii, std::size_t particles,
+                       const NeighborFilter& filter) {
+    if (radii.size() != particles)
+        throw InputError("expected one support radius for each of " + std::to_string(particles) +
+                         " particles, found " + std::to_string(radii.size()));
+    std::optional<std::size_t> smallest;
+    std::optional<std::size_t> largest;
+    for (std::size_t i = 0; i < radii.size(); ++i) {
+        if (!is_valid(filter, i))
+            continue;
+        check_radius(radii[i], "support radius of particle " + std::to_string(i));
+        if (!smallest || radii[i] < radii[*smallest])
+            smallest = i;
+        if (!largest || radii[i] > radii[*largest])
+            largest = i;
+    }
+    if (smallest && radii[*largest] / radii[*smallest] > largest_radius_range)
+        throw InputError("support radii range from " + rounded_text(radii[*smallest], 3) +
+                         " m (particle " + std::to_string(*smallest) + ") to " +
+                         rounded_text(radii[*largest], 3) + " m (particle " +
+                         std::to_string(*largest) + "), expected at most a factor of " +
+                         rounded_text(largest_radius_range, 4) +
+                         "; are they all in m? --support-radius gives one for all");
+}
+
+void check_input(const Positions& positions, const SupportRadii& radii,
+                 const NeighborFilter& filter) {
+    if (radii.vary())
+        check_each_radius(radii.each, positions.size(), filter);
+    else
+        check_radius(radii.largest, "support radius");
     if (positions.size() >= largest_count)
         throw InputError("at most 4294967294 particles can be searched, found " +
                          std::to_string(positions.size()));
@@ -210,49 +253,203 @@ SearchRanges ranges_around(const Grid& grid, const Cell& cell) {
     return search;
 }
 
+/// The same for all cells within `radius` of a position; one range for each row of cells that lie
+/// side by side.
+std::vector<SortedRange> ranges_within(const Grid& grid, const std::array<double, 3>& center,
+                                       double radius) {
+    Cell low = {};
+    Cell high = {};
+    double boxes = 1;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double reach = radius * (1 + 1e-6); // more than what distances are rounded by
+        auto corner = center;
+        corner[axis] = center[axis] - reach;
+        low[axis] = cell_of(grid, corner)[axis];
+        corner[axis] = center[axis] + reach;
+        high[axis] = cell_of(grid, corner)[axis];
+        boxes *= static_cast<double>(high[axis] - low[axis] + 1);
+    }
+    if (boxes > static_cast<double>(grid.order.size())) // rather look at every particle
+        return {{0, static_cast<std::uint32_t>(grid.order.size())}};
+    std::vector<std::array<std::uint64_t, 2>> buckets; // first and last
+    for (std::int64_t z = low[2]; z <= high[2]; ++z)
+        for (std::int64_t y = low[1]; y <= high[1]; ++y) {
+            if (grid.direct)
+                buckets.push_back(
+                    {bucket_of(grid, {low[0], y, z}), bucket_of(grid, {high[0], y, z})});
+            for (std::int64_t x = low[0]; x <= high[0] && !grid.direct; ++x)
+                buckets.push_back({bucket_of(grid, {x, y, z}), bucket_of(grid, {x, y, z})});
+        }
+    std::sort(buckets.begin(), buckets.end()); // two cells may share one
+    buckets.erase(std::unique(buckets.begin(), buckets.end()), buckets.end());
+    std::vector<SortedRange> ranges;
+    for (const auto& [first, last] : buckets)
+        if (grid.bucket_start[first] < grid.bucket_start[last + 1])
+            ranges.push_back({grid.bucket_start[first], grid.bucket_start[last + 1]});
+    return ranges;
+}
+
 int thread_count(int threads) {
     return threads > 0 ? threads : omp_get_max_threads();
 }
 
-/// Calls found(s, displacement) with each sorted place closer than the radius to `center`.
-template <class Found>
-void visit_places(const Grid& grid, const std::array<double, 3>& center, Found&& found) {
+/// The grid that a place belongs to.
+std::size_t level_of(const Levels& levels, std::size_t place) {
+    std::size_t level = levels.grids.size() - 1;
+    while (levels.first_place[level] > place)
+        --level;
+    return level;
+}
+
+std::uint32_t particle_at(const Levels& levels, std::size_t place) {
+    const std::size_t level = level_of(levels, place);
+    return levels.grids[level].order[place - levels.first_place[level]];
+}
+
+/// Calls visit(range) with ranges of places that hold, each once, all particles closer than
+/// `radius`, however large that is, to `center`.
+template <class Visit>
+void visit_ranges(const Grid& grid, const std::array<double, 3>& center, double radius,
+                  Visit&& visit) {
     if (grid.order.empty())
         return;
-    const SearchRanges search = ranges_around(grid, cell_of(grid, center));
-    for (int r = 0; r < search.count; ++r)
-        for (std::uint32_t place = search.ranges[r].begin; place < search.ranges[r].end; ++place) {
+    if (radius <= grid.radius) {
+        const SearchRanges search = ranges_around(grid, cell_of(grid, center));
+        for (int r = 0; r < search.count; ++r)
+            visit(search.ranges[r]);
+        return;
+    }
+    for (const SortedRange& range : ranges_within(grid, center, radius))
+        visit(range);
+}
+
+/// Calls found(s, displacement, distance squared) with each sorted place closer than `radius` to
+/// `center`.
+template <class Found>
+void visit_places(const Grid& grid, const std::array<double, 3>& center, double radius,
+                  Found&& found) {
+    const double radius_squared = radius * radius;
+    visit_ranges(grid, center, radius, [&](const SortedRange& range) {
+        for (std::uint32_t place = range.begin; place < range.end; ++place) {
             std::array<double, 3> displacement;
             double distance_squared = 0;
             for (int axis = 0; axis < 3; ++axis) {
                 displacement[axis] = grid.positions[place][axis] - center[axis];
                 distance_squared += displacement[axis] * displacement[axis];
             }
-            if (distance_squared < grid.radius_squared)
-                found(place, displacement);
+            if (distance_squared < radius_squared)
+                found(place, displacement, distance_squared);
         }
+    });
 }
 
-/// The same for the neighbors of the particle at a sorted place: without itself, of its phase.
+bool is_closer_than_mean(double distance_squared, double radius, double other_radius) {
+    const double mean = (radius + other_radius) / 2;
+    return distance_squared < mean * mean;
+}
+
+/// Calls found(particle, displacement) with each neighbor of the particle at a place of a grid:
+/// other than itself, of its phase.
 template <class Found>
-void visit_neighbors(const Grid& grid, std::size_t s, Found&& found) {
-    visit_places(grid, grid.positions[s],
-                 [&](std::uint32_t other, const std::array<double, 3>& displacement) {
-                     if (other != s && (grid.phase.empty() || grid.phase[other] == grid.phase[s]))
-                         found(other, displacement);
-                 });
+void visit_neighbors(const Levels& levels, std::size_t place, Found&& found) {
+    const std::size_t level = level_of(levels, place);
+    const Grid& own = levels.grids[level];
+    const std::size_t s = place - levels.first_place[level];
+    const double own_radius = own.radii.empty() ? own.radius : own.radii[s];
+    for (const Grid& grid : levels.grids) {
+        const std::size_t self = &grid == &own ? s : grid.order.size();
+        const double* radii = grid.radii.empty() ? nullptr : grid.radii.data();
+        visit_places(grid, own.positions[s], (own_radius + grid.radius) / 2,
+                     [&](std::uint32_t other, const std::array<double, 3>& displacement,
+                         double distance_squared) {
+                         if (other != self &&
+                             (grid.phase.empty() || grid.phase[other] == own.phase[s]) &&
+                             (radii == nullptr ||
+                              is_closer_than_mean(distance_squared, own_radius, radii[other])))
+                             found(grid.order[other], displacement);
+                     });
+    }
+}
+
+/// Adds a grid of the particles that the filter leaves, whose largest radius is `radius`.
+void add_level(Levels& levels, const Positions& positions, const SupportRadii& radii, double radius,
+               const NeighborFilter& filter, int threads) {
+    Grid& grid = levels.grids.emplace_back();
+    grid.radius = radius;
+    lay_out(grid, positions, radius, filter);
+    if (!grid.bucket_start.empty())
+        sort_particles(grid, positions, filter, threads);
+    if (radii.vary())
+        for (const std::uint32_t particle : grid.order)
+            grid.radii.push_back(radii.each[particle]);
+    levels.first_place.push_back(levels.size);
+    levels.size += grid.order.size();
+}
+
+/// Sorts particles of varying radii into levels, each for a factor of two.
+void add_levels(Levels& levels, const Positions& positions, const SupportRadii& radii,
+                const NeighborFilter& filter, int threads) {
+    constexpr int most_levels = 10; // 2^10 exceeds largest_radius_range
+    std::array<double, most_levels> largest{};
+    std::vector<std::uint8_t> in_level(positions.size());
+    double smallest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < positions.size(); ++i)
+        if (is_valid(filter, i))
+            smallest = std::min(smallest, radii.each[i]);
+    const auto level_of_radius = [&](std::size_t i) {
+        return std::ilogb(radii.each[i] / smallest);
+    };
+    for (std::size_t i = 0; i < positions.size(); ++i)
+        if (is_valid(filter, i)) {
+            double& radius = largest[level_of_radius(i)];
+            radius = std::max(radius, radii.each[i]);
+        }
+    for (int level = 0; level < most_levels; ++level) {
+        if (largest[level] == 0)
+            continue;
+        for (std::size_t i = 0; i < positions.size(); ++i)
+            in_level[i] =
+                static_cast<std::uint8_t>(is_valid(filter, i) && level_of_radius(i) == level);
+        add_level(levels, positions, radii, largest[level], {&in_level, filter.phase}, threads);
+    }
+}
+
+/// Refuses radii that reach over so many particles that the search would seem to hang; by a sample,
+/// since counting for all of them takes long as well.
+void check_comparisons(const Levels& levels) {
+    constexpr std::size_t most = 100000;
+    if (levels.size <= most) // not even all pairs are too many
+        return;
+    const std::size_t step = levels.size / 4096 + 1;
+    std::size_t comparisons = 0;
+    std::size_t sampled = 0;
+    for (std::size_t place = 0; place < levels.size; place += step, ++sampled) {
+        const std::size_t level = level_of(levels, place);
+        const Grid& own = levels.grids[level];
+        const std::size_t s = place - levels.first_place[level];
+        for (const Grid& grid : levels.grids)
+            visit_ranges(grid, own.positions[s], (own.radii[s] + grid.radius) / 2,
+                         [&](const SortedRange& range) { comparisons += range.end - range.begin; });
+    }
+    if (comparisons / sampled > most)
+        throw InputError("support radii up to " + rounded_text(levels.grids.back().radius, 3) +
+                         " m reach over " + std::to_string(comparisons / sampled) +
+                         " particles on average, expected at most " + std::to_string(most) +
+                         "; are they all in m? --support-radius gives one for all");
 }
 
 } // namespace
 
-NeighborGrid::NeighborGrid(const Positions& positions, double radius, const NeighborFilter& filter,
-                           int threads)
-    : cells(std::make_unique<Cells>()) {
-    check_input(positions, radius, filter);
-    cells->radius_squared = radius * radius;
-    lay_out(*cells, positions, radius, filter);
-    if (!cells->bucket_start.empty())
-        sort_particles(*cells, positions, filter, thread_count(threads));
+NeighborGrid::NeighborGrid(const Positions& positions, const SupportRadii& radii,
+                           const NeighborFilter& filter, int threads)
+    : levels(std::make_unique<Levels>()) {
+    check_input(positions, radii, filter);
+    if (radii.vary()) {
+        add_levels(*levels, positions, radii, filter, thread_count(threads));
+        check_comparisons(*levels);
+    } else {
+        add_level(*levels, positions, radii, radii.largest, filter, thread_count(threads));
+    }
 }
 
 NeighborGrid::NeighborGrid(NeighborGrid&&) noexcept = default;
@@ -260,54 +457,56 @@ NeighborGrid& NeighborGrid::operator=(NeighborGrid&&) noexcept = default;
 NeighborGrid::~NeighborGrid() = default;
 
 std::size_t NeighborGrid::size() const {
-    return cells->order.size();
+    return levels->size;
 }
 
 std::uint32_t NeighborGrid::particle(std::size_t place) const {
-    return cells->order[place];
+    return particle_at(*levels, place);
 }
 
 void NeighborGrid::find(std::size_t place, FoundNeighbors& found) const {
     found.clear();
-    visit_neighbors(*cells, place,
+    visit_neighbors(*levels, place,
                     [&](std::uint32_t other, const std::array<double, 3>& displacement) {
-                        found.add(cells->order[other], displacement);
+                        found.add(other, displacement);
                     });
 }
 
-void NeighborGrid::find_around(const std::array<double, 3>& center, FoundNeighbors& found) const {
+void NeighborGrid::find_around(const std::array<double, 3>& center, double radius,
+                               FoundNeighbors& found) const {
     found.clear();
-    visit_places(*cells, center,
-                 [&](std::uint32_t other, const std::array<double, 3>& displacement) {
-                     found.add(cells->order[other], displacement);
-                 });
+    for (const Grid& grid : levels->grids)
+        visit_places(grid, center, radius,
+                     [&](std::uint32_t other, const std::array<double, 3>& displacement, double) {
+                         found.add(grid.order[other], displacement);
+                     });
 }
 
-NeighborLists find_neighbors(const Positions& positions, double radius,
+NeighborLists find_neighbors(const Positions& positions, const SupportRadii& radii,
                              const NeighborFilter& filter, int threads) {
-    const NeighborGrid sorted(positions, radius, filter, threads);
-    const Grid& grid = *sorted.cells;
+    const NeighborGrid sorted(positions, radii, filter, threads);
+    const Levels& levels = *sorted.levels;
     NeighborLists lists;
     lists.offsets.assign(positions.size() + 1, 0);
     // Twice the same walk, first to count and then to write: the lists are by far the largest
     // thing in memory, and this way they are there once.
-    const auto count = static_cast<std::int64_t>(grid.order.size());
+    const auto count = static_cast<std::int64_t>(levels.size);
 #pragma omp parallel for num_threads(thread_count(threads)) schedule(dynamic, 1024)
     for (std::int64_t s = 0; s < count; ++s) {
         std::size_t found = 0;
-        visit_neighbors(grid, static_cast<std::size_t>(s),
+        visit_neighbors(levels, static_cast<std::size_t>(s),
                         [&](std::uint32_t, const std::array<double, 3>&) { ++found; });
-        lists.offsets[grid.order[s] + 1] = found;
+        lists.offsets[particle_at(levels, s) + 1] = found;
     }
     for (std::size_t i = 0; i < positions.size(); ++i)
         lists.offsets[i + 1] += lists.offsets[i];
     lists.neighbors.resize(lists.offsets.back());
 #pragma omp parallel for num_threads(thread_count(threads)) schedule(dynamic, 1024)
     for (std::int64_t s = 0; s < count; ++s) {
-        std::size_t place = lists.offsets[grid.order[s]];
-        visit_neighbors(grid, static_cast<std::size_t>(s),
+        std::size_t place = lists.offsets[particle_at(levels, s)];
+        visit_neighbors(levels, static_cast<std::size_t>(s),
                         [&](std::uint32_t neighbor, const std::array<double, 3>&) {
-                            lists.neighbors[place++] = grid.order[neighbor];
+                            lists.neighbors[place++] = neighbor;
                         });
     }
     return lists;

@@ -3,9 +3,14 @@
 // directly; scattered ones (two droplets a million radii apart) share a table of buckets that
 // never outgrows the number of particles, so time and memory are linear in the particles whatever
 // the extent of the scene.
+//
+// Where each particle has its own radius, pairs count that are closer than the mean of theirs.
+// Particles whose radii differ by less than a factor of two then share a grid, so that the large
+// cells of a coarse region are not full of the particles of a fine one.
 #pragma once
 
 #include "snapshot.hpp"
+#include "support_radii.hpp"
 
 #include <array>
 #include <cstddef>
@@ -51,8 +56,8 @@ struct FoundNeighbors {
 class NeighborGrid {
 public:
     /// Throws as find_neighbors does.
-    NeighborGrid(const Positions& positions, double radius, const NeighborFilter& filter = {},
-                 int threads = 0);
+    NeighborGrid(const Positions& positions, const SupportRadii& radii,
+                 const NeighborFilter& filter = {}, int threads = 0);
     NeighborGrid(NeighborGrid&&) noexcept;
     NeighborGrid& operator=(NeighborGrid&&) noexcept;
     ~NeighborGrid();
@@ -68,24 +73,35 @@ public:
     /// find_neighbors.
     void find(std::size_t place, FoundNeighbors& found) const;
 
-    /// Replaces `found` by all particles, whatever their phase, closer than the radius to any
-    /// finite position (m).
-    void find_around(const std::array<double, 3>& center, FoundNeighbors& found) const;
+    /// Replaces `found` by all particles, whatever their phase and own radius, closer than
+    /// `radius` (m) to any finite position (m).
+    void find_around(const std::array<double, 3>& center, double radius,
+                     FoundNeighbors& found) const;
 
     struct Cells;
+    struct Levels;
 
 private:
-    friend NeighborLists find_neighbors(const Positions&, double, const NeighborFilter&, int);
+    friend NeighborLists find_neighbors(const Positions&, const SupportRadii&,
+                                        const NeighborFilter&, int);
 
-    std::unique_ptr<Cells> cells;
+    std::unique_ptr<Levels> levels;
 };
 
-/// The neighbors of each particle at a distance strictly below `radius` (m). `threads` 0 takes all
-/// cores; the result does not depend on it. Throws InputError where radius is not positive and
-/// finite or its square would leave the range of double (below 1e-150, above 1e150), where a valid
-/// particle's position is not finite, where there are more than 2^32 - 1 particles, or where the
-/// extent exceeds what double can resolve against the radius (2^50 radii).
-NeighborLists find_neighbors(const Positions& positions, double radius,
+/// Radii that differ by more than this factor are refused: nobody simulates that, and the usual
+/// cause is a damaged value or another unit.
+inline constexpr double largest_radius_range = 1000;
+
+/// The neighbors of each particle at a distance strictly below its radius (m), or where radii vary,
+/// below the mean of the pair's. `threads` 0 takes all cores; the result does not depend on it.
+/// Throws InputError where a radius is not positive and finite or its square would leave the range
+/// of double (below 1e-150, above 1e150), where a valid particle's position is not finite, where
+/// there are more than 2^32 - 1 particles, or where the extent exceeds what double can resolve
+/// against the radius (2^50 radii). Where radii vary, also where there is not one for each
+/// particle, where they differ by more than largest_radius_range, or where the large ones reach
+/// over so many particles that a particle would be compared with more than 100,000 others on
+/// average.
+NeighborLists find_neighbors(const Positions& positions, const SupportRadii& radii,
                              const NeighborFilter& filter = {}, int threads = 0);
 
 } // namespace meniscus

@@ -48,6 +48,15 @@ std::vector<std::uint8_t> checked_positions(const Snapshot& snapshot, bool skip_
     return valid;
 }
 
+SupportRadii support_radii(const Snapshot& snapshot) {
+    if (snapshot.support_radius)
+        return *snapshot.support_radius;
+    if (find_array(snapshot, "support_radius") == nullptr || snapshot.size() == 0)
+        throw InputError("no support radius is stored; give the kernel radius h in m with "
+                         "--support-radius");
+    return SupportRadii(scalar_values(snapshot, "support_radius"), finite_positions(snapshot));
+}
+
 std::vector<double> checked_masses(const Snapshot& snapshot,
                                    const std::vector<std::uint8_t>& valid) {
     if (find_array(snapshot, "mass") == nullptr)

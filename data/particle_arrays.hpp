@@ -4,6 +4,7 @@
 #pragma once
 
 #include "snapshot.hpp"
+#include "support_radii.hpp"
 
 #include <cstdint>
 #include <string_view>
@@ -14,6 +15,11 @@ namespace meniscus {
 /// 1 for each particle with a finite position, else 0. Throws InputError where there is a 0 (how
 /// many, and the first index), unless skip_invalid.
 std::vector<std::uint8_t> checked_positions(const Snapshot& snapshot, bool skip_invalid);
+
+/// The support radii of the particles with finite positions: the one that the snapshot has for all,
+/// else its array `support_radius`. Throws InputError where there is neither; whether the values
+/// can be used is for the neighbor search to say.
+SupportRadii support_radii(const Snapshot& snapshot);
 
 /// The values of the array `mass` in kg, or none where there is no such array: all masses are equal
 /// then and need no weighting. Throws InputError where the mass of a valid particle is not positive

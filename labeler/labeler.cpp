@@ -8,7 +8,7 @@
 #include <meniscus/data/neighbor_search.hpp>
 #include <meniscus/data/particle_arrays.hpp>
 #include <meniscus/data/text.hpp>
-#include <meniscus/runtime/features.hpp>
+#include <meniscus/runtime/scaled_features.hpp>
 #include <meniscus/version.hpp>
 
 #include <algorithm>
@@ -32,12 +32,12 @@ void check_options(const LabelOptions& options) {
 
 /// What all particles share.
 struct Work {
-    double support_radius = 0;
+    SupportRadii radii = 0;
     std::size_t samples = 0;
     std::uint64_t seed = 0;
     int dimension = 3;
     SamplingScheme scheme;
-    NeighborRange<double> range{};
+    NeighborRange<double> range{}; ///< of radius 1 where radii vary
     double radius_ratio = 0;
     std::vector<std::uint8_t> valid;
     std::vector<double> masses;    ///< or empty
@@ -61,27 +61,28 @@ struct Workspace {
 
 void sort_particles(Work& work, const Snapshot& snapshot, const LabelOptions& options) {
     const auto phases = integer_values(snapshot, "phase", work.valid);
-    work.grid.emplace(snapshot.positions, work.support_radius,
+    work.grid.emplace(snapshot.positions, work.radii,
                       NeighborFilter{&work.valid, phases.empty() ? nullptr : &phases},
                       options.threads);
     if (snapshot.boundary.empty())
         return;
     check_boundary(snapshot);
-    work.boundary.emplace(snapshot.boundary, work.support_radius, NeighborFilter{},
+    work.boundary.emplace(snapshot.boundary, work.radii.smallest, NeighborFilter{},
                           options.threads);
     work.boundary_counts = options.boundary_counts;
     work.boundary_mass = mean_mass(work.masses, work.valid);
 }
 
-Work prepare_work(const Snapshot& snapshot, double support_radius, const LabelOptions& options) {
+Work prepare_work(const Snapshot& snapshot, const SupportRadii& radii,
+                  const LabelOptions& options) {
     check_options(options);
     Work work;
-    work.support_radius = support_radius;
+    work.radii = radii;
     work.samples = options.samples;
     work.seed = options.seed;
     work.dimension = snapshot.dimension;
     work.method = options.method;
-    work.range = neighbor_range<double>(support_radius, options.radius_ratio);
+    work.range = neighbor_range<double>(radii.vary() ? 1 : radii.largest, options.radius_ratio);
     work.radius_ratio = options.radius_ratio;
     work.valid = checked_positions(snapshot, options.skip_invalid);
     work.masses = checked_masses(snapshot, work.valid);
@@ -98,40 +99,73 @@ Work prepare_work(const Snapshot& snapshot, double support_radius, const LabelOp
     return work;
 }
 
-/// Gathers what covers the particle at a place of the grid, and its features.
-void gather_neighbors(const Work& work, std::size_t place, const Direction& center,
+double mass_of(const Work& work, std::size_t particle) {
+    return work.masses.empty() ? 1 : work.masses[particle];
+}
+
+Direction in_radii(const Direction& displacement, double inverse_radius) {
+    return {displacement[0] * inverse_radius, displacement[1] * inverse_radius,
+            displacement[2] * inverse_radius};
+}
+
+/// Gathers what covers particle i, which stands at a place of the grid, and its features.
+void gather_neighbors(const Work& work, std::size_t place, std::size_t i, const Direction& center,
                       Workspace& workspace, Labels& labels) {
-    Caps& caps = workspace.caps;
+    std::vector<Direction>& coverers = workspace.caps.displacements;
     FoundNeighbors& found = workspace.found;
-    caps.radius_ratio = work.radius_ratio;
-    caps.displacements.clear();
-    const double scale = 1 / work.support_radius;
-    const auto add_coverer = [&](const Direction& x) {
-        caps.displacements.push_back({x[0] * scale, x[1] * scale, x[2] * scale});
-    };
+    const double support_radius = work.radii.largest;
+    const double scale = 1 / support_radius;
     FeatureSum<double, 3> sum;
     work.grid->find(place, found);
     for (std::size_t n = 0; n < found.size(); ++n) {
         const Direction& displacement = found.displacements[n];
         const double distance_squared = squared_length<double, 3>(displacement);
-        const double mass = work.masses.empty() ? 1 : work.masses[found.particles[n]];
-        sum.add(displacement, distance_squared, mass, work.range);
+        sum.add(displacement, distance_squared, mass_of(work, found.particles[n]), work.range);
         if (work.range.contains(distance_squared))
-            add_coverer(displacement);
+            coverers.push_back(in_radii(displacement, scale));
     }
     if (work.boundary) {
-        work.boundary->find_around(center, found);
+        work.boundary->find_around(center, support_radius, found);
         for (const Direction& displacement : found.displacements) {
             const double distance_squared = squared_length<double, 3>(displacement);
             if (work.boundary_counts)
                 sum.add(displacement, distance_squared, work.boundary_mass, work.range);
             if (work.range.contains(distance_squared))
-                add_coverer(displacement);
+                coverers.push_back(in_radii(displacement, scale));
         }
     }
-    const std::size_t i = work.grid->particle(place);
-    labels.mass_offset[i] = mass_offset(sum, work.support_radius);
-    labels.neighbor_count[i] = static_cast<std::uint32_t>(sum.count);
+    labels.mass_offset[i] = mass_offset(sum, support_radius);
+    labels.neighbor_count[i] = sum.count;
+}
+
+/// The same where radii vary.
+template <int Dimension>
+void gather_scaled(const Work& work, std::size_t place, std::size_t i, const Direction& center,
+                   Workspace& workspace, Labels& labels) {
+    FoundNeighbors& found = workspace.found;
+    const VaryingRadii<double> radii{work.radii.each.data()};
+    ScaledFeatureSum<double, Dimension> sum;
+    const auto cover = [&](const Direction& displacement, std::size_t j) {
+        const Direction scaled = in_radii(displacement, radii.inverse_of_pair(i, j));
+        if (work.range.contains(squared_length<double, 3>(scaled)))
+            workspace.caps.displacements.push_back(scaled);
+    };
+    work.grid->find(place, found);
+    for (std::size_t n = 0; n < found.size(); ++n) {
+        const std::size_t j = found.particles[n];
+        add_scaled(found.displacements[n], mass_of(work, j), i, j, radii, work.range, sum);
+        cover(found.displacements[n], j);
+    }
+    if (work.boundary) {
+        work.boundary->find_around(center, work.radii.of(i), found);
+        for (const Direction& displacement : found.displacements) {
+            if (work.boundary_counts)
+                add_scaled(displacement, mass_of(work, i), i, i, radii, work.range, sum);
+            cover(displacement, i);
+        }
+    }
+    labels.mass_offset[i] = mass_offset(sum, 1.0);
+    labels.neighbor_count[i] = sum.count;
 }
 
 double exact_fraction(const Work& work, Workspace& workspace) {
@@ -156,7 +190,12 @@ double sampled_fraction(const Work& work, std::size_t i, Workspace& workspace) {
 void label_particle(const Work& work, const Snapshot& snapshot, std::size_t place,
                     Workspace& workspace, Labels& labels) {
     const std::size_t i = work.grid->particle(place);
-    gather_neighbors(work, place, snapshot.positions[i], workspace, labels);
+    workspace.caps.radius_ratio = work.radius_ratio;
+    workspace.caps.displacements.clear();
+    const auto gather = !work.radii.vary()    ? gather_neighbors
+                        : work.dimension == 2 ? gather_scaled<2>
+                                              : gather_scaled<3>;
+    gather(work, place, i, snapshot.positions[i], workspace, labels);
     labels.uncovered_fraction[i] = work.method == LabelMethod::exact
                                        ? exact_fraction(work, workspace)
                                        : sampled_fraction(work, i, workspace);
@@ -202,9 +241,9 @@ std::string provenance_number(double value) {
 
 } // namespace
 
-Labels label_particles(const Snapshot& snapshot, double support_radius,
+Labels label_particles(const Snapshot& snapshot, const SupportRadii& radii,
                        const LabelOptions& options) {
-    const Work work = prepare_work(snapshot, support_radius, options);
+    const Work work = prepare_work(snapshot, radii, options);
     const std::size_t count = snapshot.size();
     Labels labels;
     labels.uncovered_fraction.assign(count, 0);
@@ -221,7 +260,8 @@ Labels label_particles(const Snapshot& snapshot, double support_radius,
     return labels;
 }
 
-void set_label_provenance(Snapshot& snapshot, double support_radius, const LabelOptions& options) {
+void set_label_provenance(Snapshot& snapshot, const SupportRadii& radii,
+                          const LabelOptions& options) {
     auto& provenance = snapshot.provenance;
     provenance["program"] = std::string("meniscus ") + program_version;
     for (const char* name : {"samples", "scheme", "seed", "boundary_particles"})
@@ -238,21 +278,35 @@ void set_label_provenance(Snapshot& snapshot, double support_radius, const Label
         provenance["boundary_particles"] = std::to_string(snapshot.boundary.size());
     provenance["boundary_rule"] = boundary_rule_text(options.boundary_counts);
     provenance["radius_ratio"] = provenance_number(options.radius_ratio);
-    provenance["support_radius"] = provenance_number(support_radius);
+    provenance["support_radius"] = provenance_number(radii.smallest);
+    if (radii.vary())
+        provenance["support_radius"] += " to " + provenance_number(radii.largest);
     provenance["neighbor_band"] = provenance_number(neighbor_band);
     provenance["label_bound"] = provenance_number(zero_uncovered_fraction);
     provenance["skip_invalid"] = options.skip_invalid ? "yes" : "no";
 }
 
-void add_labels(Snapshot& snapshot, const Labels& labels, double support_radius,
+void add_labels(Snapshot& snapshot, const Labels& labels, const SupportRadii& radii,
                 const LabelOptions& options) {
-    snapshot.support_radius = support_radius;
+    if (radii.vary())
+        snapshot.support_radius.reset();
+    else
+        snapshot.support_radius = radii.largest;
+    // As it is stored already, perhaps in float, it stays.
+    if (radii.vary() && (find_array(snapshot, "support_radius") == nullptr ||
+                         scalar_values(snapshot, "support_radius") != radii.each))
+        set_array(snapshot, {"support_radius", 1, radii.each});
     set_array(snapshot, {"uncovered_fraction", 1, labels.uncovered_fraction});
     set_array(snapshot, {"surface", 1, labels.surface});
     set_array(snapshot, {"valid", 1, labels.valid});
     set_array(snapshot, {"mass_offset", 1, labels.mass_offset});
-    set_array(snapshot, {"neighbor_count", 1, labels.neighbor_count});
-    set_label_provenance(snapshot, support_radius, options);
+    if (radii.vary())
+        set_array(snapshot, {"neighbor_count", 1, labels.neighbor_count});
+    else
+        set_array(snapshot, {"neighbor_count", 1,
+                             std::vector<std::uint32_t>(labels.neighbor_count.begin(),
+                                                        labels.neighbor_count.end())});
+    set_label_provenance(snapshot, radii, options);
 }
 
 double mean_neighbor_count(const Labels& labels) {

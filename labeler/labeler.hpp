@@ -5,6 +5,7 @@
 #pragma once
 
 #include <meniscus/data/snapshot.hpp>
+#include <meniscus/data/support_radii.hpp>
 #include <meniscus/runtime/exact_coverage.hpp>
 
 #include <cstdint>
@@ -33,33 +34,37 @@ struct LabelOptions {
 
 /// One entry a particle, in the snapshot's order.
 struct Labels {
-    std::vector<double> uncovered_fraction;    ///< lambda; 0 where not valid
-    std::vector<std::uint8_t> surface;         ///< 1 where lambda > zero_uncovered_fraction
-    std::vector<std::uint8_t> valid;           ///< 0 where left out
-    std::vector<double> mass_offset;           ///< feature x (eq. 1)
-    std::vector<std::uint32_t> neighbor_count; ///< feature y
+    std::vector<double> uncovered_fraction; ///< lambda; 0 where not valid
+    std::vector<std::uint8_t> surface;      ///< 1 where lambda > zero_uncovered_fraction
+    std::vector<std::uint8_t> valid;        ///< 0 where left out
+    std::vector<double> mass_offset;        ///< feature x (eq. 1)
+    std::vector<double> neighbor_count;     ///< feature y; whole where radii do not vary
 };
 
-/// Labels all particles with support radius `support_radius` (m). A `phase` array keeps phases
-/// apart, a `mass` array weights the features, an `id` array keys random directions. The snapshot's
-/// boundary particles cover, whatever the phase: a particle at a wall is not at the free surface.
-/// In the features they count only with boundary_counts, whatever the phase, each with the
-/// mean_mass of the fluid. Throws InputError where an option is out of range, where a position is
-/// not finite (how many, and the first index) unless skip_invalid, where a mass is not positive, or
-/// where the neighbor search refuses; likewise for the boundary.
-Labels label_particles(const Snapshot& snapshot, double support_radius,
+/// Labels all particles with these support radii (support_radii() has those of a snapshot, a number
+/// in m serves all). A `phase` array keeps phases apart, a `mass` array weights the features, an
+/// `id` array keys random directions. The snapshot's boundary particles cover, whatever the phase:
+/// a particle at a wall is not at the free surface. In the features they count only with
+/// boundary_counts, whatever the phase, each with the mean_mass of the fluid. Where radii vary,
+/// each pair is measured in its mean radius (runtime/support_radius.hpp, scaled_features.hpp), and
+/// a boundary particle has radius and mass of the particle it is a neighbor of. Throws InputError
+/// where an option is out of range, where a position is not finite (how many, and the first index)
+/// unless skip_invalid, where a mass is not positive, or where the neighbor search refuses;
+/// likewise for the boundary.
+Labels label_particles(const Snapshot& snapshot, const SupportRadii& radii,
                        const LabelOptions& options);
 
-/// Adds the labels as point data (uncovered_fraction, surface, valid, mass_offset, neighbor_count)
-/// and set_label_provenance.
-void add_labels(Snapshot& snapshot, const Labels& labels, double support_radius,
+/// Adds the labels as point data (uncovered_fraction, surface, valid, mass_offset, neighbor_count),
+/// the radii as the snapshot's own, and set_label_provenance.
+void add_labels(Snapshot& snapshot, const Labels& labels, const SupportRadii& radii,
                 const LabelOptions& options);
 
 /// Says in the provenance how the labels are made with these options: program, method, with Monte
-/// Carlo samples, scheme and seed, radius_ratio, support_radius, neighbor_band, label_bound,
-/// skip_invalid, boundary_rule (data/boundary_rule.hpp), and boundary_particles where there are
-/// some. What an earlier labelling said is gone.
-void set_label_provenance(Snapshot& snapshot, double support_radius, const LabelOptions& options);
+/// Carlo samples, scheme and seed, radius_ratio, support_radius (smallest to largest where they
+/// vary), neighbor_band, label_bound, skip_invalid, boundary_rule (data/boundary_rule.hpp), and
+/// boundary_particles where there are some. What an earlier labelling said is gone.
+void set_label_provenance(Snapshot& snapshot, const SupportRadii& radii,
+                          const LabelOptions& options);
 
 /// Mean neighbor count over valid particles; 0 where there are none.
 double mean_neighbor_count(const Labels& labels);

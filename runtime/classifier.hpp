@@ -14,6 +14,7 @@
 #pragma once
 
 #include "features.hpp"
+#include "scaled_features.hpp"
 
 #include <cstdint>
 #include <limits>
@@ -86,8 +87,8 @@ bool is_finite(Real value) {
 
 /// True for surface. A particle without neighbors is surface, and so is one whose features are
 /// not finite: a false positive costs time, a false negative corrupts the physics.
-template <class Real, int Dimension>
-bool is_surface(const FeatureSum<Real, Dimension>& sum, const SurfaceLine<Real>& line,
+template <class Real, int Dimension, class Count>
+bool is_surface(const FeatureSum<Real, Dimension, Count>& sum, const SurfaceLine<Real>& line,
                 Real support_radius) {
     // y - d <= k x, both sides squared: that saves the square root in x. Dividing first keeps
     // small masses and radii from underflowing. | and & in place of || and &&, because whether a
@@ -130,6 +131,33 @@ std::size_t classify(const View& view, std::size_t begin, std::size_t end, Real 
     return classify<Real, Dimension>(
         view, begin, end, support_radius, surface_line<Coefficients, Real>(),
         neighbor_range<Real>(support_radius, Coefficients::radius_ratio), surface);
+}
+
+/// Classifies particles of which each has its own support radius (scaled_features.hpp), which every
+/// j that the view delivers must have. A line that was trained on states of one radius each holds
+/// for them too.
+template <class Real, int Dimension, class View>
+std::size_t classify(const View& view, std::size_t begin, std::size_t end,
+                     const VaryingRadii<Real>& radii, const SurfaceLine<Real>& line,
+                     double radius_ratio, std::uint8_t* surface) {
+    const auto range = neighbor_range<Real>(1, radius_ratio);
+    std::size_t found = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+        const auto sum = sum_features<Real, Dimension>(view, i, radii, range);
+        surface[i] = static_cast<std::uint8_t>(is_surface(sum, line, Real(1)));
+        found += surface[i];
+    }
+    return found;
+}
+
+/// The same with the line and radius ratio of an exported coefficient struct.
+template <class Coefficients, class Real, int Dimension, class View>
+std::size_t classify(const View& view, std::size_t begin, std::size_t end,
+                     const VaryingRadii<Real>& radii, std::uint8_t* surface) {
+    static_assert(Coefficients::dimension == Dimension,
+                  "these coefficients were trained in another dimension");
+    return classify<Real, Dimension>(view, begin, end, radii, surface_line<Coefficients, Real>(),
+                                     Coefficients::radius_ratio, surface);
 }
 
 } // namespace MENISCUS_INSTRUCTION_SET

@@ -45,9 +45,9 @@ inline double curvature_of(const CurvatureMap& map, double turning, double close
            closed_form * (of_closed + of_product * t) + slope * (turning - t);
 }
 
-/// Sets the turning of the normals at each surface particle: 0 where no other is around.
-template <class Real, int Dimension, class Loop>
-void find_turning(const Loop& loop, SurfaceParticles<Real, Dimension>& list) {
+/// Sets the turning of the normals at each surface particle, in 1/m: 0 where no other is around.
+template <class Real, int Dimension, class Radii, class Loop>
+void find_turning(const Radii& radii, const Loop& loop, SurfaceParticles<Real, Dimension>& list) {
     loop(list.size(), [&](std::size_t begin, std::size_t end, int /*worker*/) {
         for (std::size_t slot = begin; slot < end; ++slot) {
             Real along = 0;
@@ -66,17 +66,18 @@ void find_turning(const Loop& loop, SurfaceParticles<Real, Dimension>& list) {
                 along += weight * turn;
                 squares += weight * square;
             }
-            list.turning[slot] = squares > 0 ? along / squares : 0;
+            list.turning[slot] =
+                squares > 0 ? along / (squares * radii.of(list.particle[slot])) : 0;
         }
     });
 }
 
 /// Sets the curvature of each surface particle by the map; 0 where covered. After find_turning.
-template <class Real, int Dimension, class Loop>
-void find_mapped_curvature(const CurvatureMap& map, double radius_ratio, const Loop& loop,
-                           SurfaceParticles<Real, Dimension>& list,
+template <class Real, int Dimension, class Radii, class Loop>
+void find_mapped_curvature(const CurvatureMap& map, double radius_ratio, const Radii& radii,
+                           const Loop& loop, SurfaceParticles<Real, Dimension>& list,
                            std::vector<Real>& closed_form) {
-    find_curvature<Real, Dimension>(radius_ratio, loop, list);
+    find_curvature<Real, Dimension>(radius_ratio, radii, loop, list);
     closed_form.resize(list.size());
     closed_form.swap(list.curvature);
     loop(list.size(), [&](std::size_t begin, std::size_t end, int /*worker*/) {
@@ -91,11 +92,13 @@ void find_mapped_curvature(const CurvatureMap& map, double radius_ratio, const L
                 closed += weight * closed_form[pair->slot];
                 weights += weight;
             }
+            const bool is_surface =
+                weights > 0 && list.surface_class[slot] == SurfaceClass::surface;
+            const Real to_own = radii.of(list.particle[slot]) / (is_surface ? weights : 1);
+            const double curvature = curvature_of(map, static_cast<double>(turning * to_own),
+                                                  static_cast<double>(closed * to_own));
             list.curvature[slot] =
-                weights > 0 && list.surface_class[slot] == SurfaceClass::surface
-                    ? static_cast<Real>(curvature_of(map, static_cast<double>(turning / weights),
-                                                     static_cast<double>(closed / weights)))
-                    : 0;
+                is_surface ? static_cast<Real>(curvature) / radii.of(list.particle[slot]) : 0;
         }
     });
 }

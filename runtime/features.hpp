@@ -12,12 +12,13 @@
 namespace meniscus {
 inline namespace MENISCUS_INSTRUCTION_SET {
 
-/// The sums over a particle's neighbors. Start from a value-initialized one.
-template <class Real, int Dimension>
+/// The sums over a particle's neighbors. Start from a value-initialized one. `Count` is a floating-
+/// point type where support radii vary (scaled_features.hpp).
+template <class Real, int Dimension, class Count = int>
 struct FeatureSum {
     Real moment[Dimension] = {}; ///< sum of m_j (x_j - x_i) in kg m
     Real mass = 0;               ///< sum of m_j in kg; 0: all masses are 1
-    int count = 0;               ///< number of neighbors
+    Count count = 0;             ///< number of neighbors
 
     /// Adds a particle at `displacement` = x_j - x_i (m), whose squared length (m^2) the caller
     /// has, with mass m_j (kg). Outside the range (itself, too close, beyond h) it adds nothing.
@@ -60,8 +61,8 @@ Real squared_length(const Vector& displacement) {
 
 /// Feature x (eq. 1): |sum_j m_j (x_j - x_i)| / (h sum_j m_j), without unit, between 0 and 1; 0
 /// where there is no neighbor.
-template <class Real, int Dimension>
-Real mass_offset(const FeatureSum<Real, Dimension>& sum, Real support_radius) {
+template <class Real, int Dimension, class Count>
+Real mass_offset(const FeatureSum<Real, Dimension, Count>& sum, Real support_radius) {
     if (sum.count == 0)
         return 0;
     return std::sqrt(squared_length<Real, Dimension>(sum.moment)) /

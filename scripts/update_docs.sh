@@ -2,7 +2,7 @@
 # Prints the tables of README and docs/ again from the samples, between their "begin" and "end"
 # comments, and draws the plots. Takes some minutes; speed wants an otherwise idle machine, sampling
 # Debian's python3-matplotlib.
-# Usage: scripts/update_docs.sh [accuracy|speed|sampling]   (default: all)
+# Usage: scripts/update_docs.sh [accuracy|speed|sampling|force|surface-speed]   (default: all)
 set -euo pipefail
 cd "$(dirname "$0")/.."
 bin=build/release/bin
@@ -44,4 +44,17 @@ if wanted sampling; then
     "$bin/sampling_schemes" "$work/schemes.json" data/samples/*.vtkhdf |
         replace docs/sampling_schemes.md sampling-schemes
     scripts/plot_sampling_schemes.py "$work/schemes.json" docs/plots
+fi
+if wanted force; then
+    "$bin/force_accuracy" young_laplace | replace docs/surface_tension.md young-laplace
+    "$bin/force_accuracy" fade data/samples/{droplet_iisph_14,cube_iisph_05,crown_dfsph_15,dam_dfsph_14}.vtkhdf |
+        replace docs/surface_tension.md fade
+    "$bin/force_accuracy" momentum data/samples/{droplet_iisph_14,cube_iisph_05}.vtkhdf |
+        replace docs/surface_tension.md momentum
+fi
+if wanted surface-speed; then
+    for build in surface_speed surface_speed_native; do
+        "$bin/$build" data/samples/{dam_dfsph_14,crown_dfsph_15}.vtkhdf 2>/dev/null |
+            replace docs/surface_tension.md "${build//_/-}"
+    done
 fi

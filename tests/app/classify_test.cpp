@@ -42,6 +42,32 @@ TEST_F(Classify, FindsWhatTheAuditCounts) {
                   total["false_positives"].get<int>());
 }
 
+TEST_F(Classify, SupportRadiusOfEachParticle) {
+    Snapshot snapshot = read_vtkhdf(sample("droplet_iisph_04"));
+    const double h = *snapshot.support_radius;
+    std::vector<float> radii;
+    for (const auto& position : snapshot.positions)
+        radii.push_back(static_cast<float>(position[0] < 0 ? h : 1.1 * h));
+    set_array(snapshot, {"support_radius", 1, radii});
+    snapshot.support_radius.reset();
+    const Path input = save(snapshot, "droplet.vtkhdf");
+    succeed({"classify", input, "--model", model, "-o", out});
+    const Snapshot classified = read_vtkhdf(out / "droplet.vtkhdf");
+    EXPECT_FALSE(classified.support_radius);
+    EXPECT_EQ(scalar_values(classified, "support_radius"),
+              scalar_values(snapshot, "support_radius"));
+    const auto classes = scalar_values(classified, "predicted_surface");
+    const auto report = nlohmann::json::parse(
+        succeed({"audit", label(input), "--model", model, "--format", "json"}));
+    const auto& total = report["total"];
+    EXPECT_EQ(std::count(classes.begin(), classes.end(), 1),
+              total["surface"].get<int>() - total["false_negatives"].get<int>() +
+                  total["false_positives"].get<int>());
+    EXPECT_TRUE(report["warnings"].empty()) << report["warnings"];
+    fail(2, {"train", label(input), "-o", folder / "trained.json"},
+         {"droplet.vtkhdf", "support radii of their own"});
+}
+
 TEST_F(Classify, SameBytesWhateverTheThreads) {
     std::string first;
     for (const char* threads : {"1", "1", "2", "8"}) {

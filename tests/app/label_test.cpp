@@ -265,12 +265,24 @@ TEST_F(Label, SupportRadiusOfEachParticle) {
     EXPECT_EQ(read_vtkhdf(label(save(snapshot, "same.vtkhdf"))).support_radius, 1.0);
     radii[17] = 1.25;
     set_array(snapshot, {"support_radius", 1, radii});
-    fail(2, {"label", save(snapshot, "varying.vtkhdf"), "-o", folder / "out"},
-         {"varying.vtkhdf", "1 to 1.25 m", "--support-radius", "median is 1"});
+    const Path varying = save(snapshot, "varying.vtkhdf");
+    succeed({"label", varying, "-o", folder / "varying"});
+    const Snapshot labelled = read_vtkhdf(folder / "varying" / "varying.vtkhdf");
+    EXPECT_FALSE(labelled.support_radius);
+    EXPECT_EQ(scalar_values(labelled, "support_radius"), radii);
+    EXPECT_EQ(labelled.provenance.at("support_radius"), "1 to 1.25");
+    expect_mentions(succeed({"label", varying, "-o", folder / "varying"}), {"up to date"});
+    // One for all in their place, which is then what the file goes by.
+    succeed({"label", varying, "-o", folder / "one", "--support-radius", "1"});
+    EXPECT_EQ(read_vtkhdf(folder / "one" / "varying.vtkhdf").support_radius, 1.0);
     radii[3] = nan;
     set_array(snapshot, {"support_radius", 1, radii});
     fail(2, {"label", save(snapshot, "nan.vtkhdf"), "-o", folder / "out"},
          {"nan.vtkhdf", "particle 3", "nan"});
+    radii[3] = 1e-4;
+    set_array(snapshot, {"support_radius", 1, radii});
+    fail(2, {"label", save(snapshot, "range.vtkhdf"), "-o", folder / "out"},
+         {"range.vtkhdf", "particle 3", "particle 17", "--support-radius"});
 }
 
 TEST_F(Label, TwoDimensions) {

@@ -17,7 +17,7 @@ TEST(ClassifySnapshot, MatchesTheExampleWorkedOutByHand) {
     const Classes classes = classify_snapshot(chain(), chain_model(), {true, 1});
     EXPECT_EQ(classes.surface, (std::vector<std::uint8_t>{1, 0, 0, 0, 1, 1, 0}));
     EXPECT_EQ(classes.valid, (std::vector<std::uint8_t>{1, 1, 1, 1, 1, 1, 0}));
-    EXPECT_EQ(classes.neighbor_count, (std::vector<std::uint32_t>{1, 2, 2, 2, 1, 0, 0}));
+    EXPECT_EQ(classes.neighbor_count, (std::vector<double>{1, 2, 2, 2, 1, 0, 0}));
     EXPECT_TRUE(classes.warnings.empty());
 }
 
@@ -43,7 +43,7 @@ TEST(ClassifySnapshot, CountsTheBoundaryWhereTheModelDoes) {
         model.dimension = dimension;
         const Classes classes = classify_snapshot(walled, model, {true, 1});
         EXPECT_EQ(classes.surface, (std::vector<std::uint8_t>{0, 0, 0, 0, 0, 1, 0}));
-        EXPECT_EQ(classes.neighbor_count, (std::vector<std::uint32_t>{2, 2, 2, 2, 2, 0, 0}));
+        EXPECT_EQ(classes.neighbor_count, (std::vector<double>{2, 2, 2, 2, 2, 0, 0}));
         EXPECT_TRUE(classes.warnings.empty());
     }
     const Classes bare = classify_snapshot(chain(), model, {true, 1});

@@ -25,7 +25,7 @@ TEST(LabelledState, HoldsTheValidParticlesInOrder) {
     EXPECT_EQ(state.file, "chain_07.vtkhdf");
     EXPECT_EQ(state.scene, "chain");
     EXPECT_EQ(state.size(), 6U);
-    EXPECT_EQ(state.neighbor_count, (std::vector<std::uint32_t>{1, 2, 2, 2, 1, 0}));
+    EXPECT_EQ(state.neighbor_count, (std::vector<double>{1, 2, 2, 2, 1, 0}));
     EXPECT_EQ(state.uncovered_fraction[5], 1);
     EXPECT_EQ(state.support_radius, 1);
     EXPECT_EQ(state.radius_ratio, 0.8);
@@ -106,7 +106,7 @@ TEST(LabelledState, AWallMayAddToTheNeighborsOfFewParticles) {
                   {"neighbor_count", 1, std::vector<std::uint32_t>{2, 2, 2, count, 2, 0, 0}});
         return snapshot;
     };
-    EXPECT_EQ(labelled_state(with_count(9), "chain.vtkhdf").neighbor_count[3], 9U);
+    EXPECT_EQ(labelled_state(with_count(9), "chain.vtkhdf").neighbor_count[3], 9);
     EXPECT_NE(refusal_of(with_count(10)).find("particle 3 is 10"), std::string::npos);
     snapshot.provenance.erase("boundary_rule");
     EXPECT_NE(refusal_of(with_count(9)).find("particle 3 is 9"), std::string::npos);

@@ -34,7 +34,8 @@ std::vector<double> candidate_slopes(const std::vector<LabelledState>& states) {
     std::vector<LabelledParticle> all;
     for (const LabelledState& state : states)
         for (std::size_t i = 0; i < state.size(); ++i)
-            all.push_back({state.mass_offset[i], state.neighbor_count[i], 0});
+            all.push_back(
+                {state.mass_offset[i], static_cast<std::uint32_t>(state.neighbor_count[i]), 0});
     std::vector<double> slopes = {0, largest_slope};
     for (const auto& a : all)
         for (const auto& b : all)

@@ -5,6 +5,7 @@
 #include <meniscus/classifier/trainer.hpp>
 #include <meniscus/data/errors.hpp>
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace meniscus {
@@ -17,7 +18,7 @@ using test::two_clouds;
 LabelledState thinned(LabelledState state) {
     state.scene += " thin";
     for (auto& count : state.neighbor_count)
-        count = (count + 1) / 2;
+        count = std::floor((count + 1) / 2);
     return state;
 }
 

@@ -25,8 +25,8 @@ Positions random_positions(std::size_t count, double extent, int dimension, unsi
 }
 
 /// The lists by comparing all pairs.
-std::vector<std::vector<std::uint32_t>> all_pairs(const Positions& positions, double radius,
-                                                  const NeighborFilter& filter) {
+std::vector<std::vector<std::uint32_t>>
+all_pairs(const Positions& positions, const SupportRadii& radii, const NeighborFilter& filter) {
     std::vector<std::vector<std::uint32_t>> lists(positions.size());
     const auto valid = [&](std::size_t i) { return !filter.valid || (*filter.valid)[i] != 0; };
     for (std::uint32_t i = 0; i < positions.size(); ++i)
@@ -34,6 +34,7 @@ std::vector<std::vector<std::uint32_t>> all_pairs(const Positions& positions, do
             double square = 0;
             for (int axis = 0; axis < 3; ++axis)
                 square += std::pow(positions[j][axis] - positions[i][axis], 2);
+            const double radius = (radii.of(i) + radii.of(j)) / 2;
             if (i != j && valid(i) && valid(j) && square < radius * radius &&
                 (!filter.phase || (*filter.phase)[i] == (*filter.phase)[j]))
                 lists[i].push_back(j);
@@ -51,10 +52,20 @@ std::vector<std::vector<std::uint32_t>> sorted_lists(const NeighborLists& lists)
     return sorted;
 }
 
-void expect_same_as_all_pairs(const Positions& positions, double radius,
+void expect_same_as_all_pairs(const Positions& positions, const SupportRadii& radii,
                               const NeighborFilter& filter = {}) {
-    EXPECT_EQ(sorted_lists(find_neighbors(positions, radius, filter)),
-              all_pairs(positions, radius, filter));
+    EXPECT_EQ(sorted_lists(find_neighbors(positions, radii, filter, 1)),
+              all_pairs(positions, radii, filter));
+}
+
+/// From `smallest` to `range` times that, as many in each factor of two.
+std::vector<double> random_radii(std::size_t count, double smallest, double range, unsigned seed) {
+    std::mt19937 generator(seed);
+    std::uniform_real_distribution<double> power(0, std::log(range));
+    std::vector<double> radii(count);
+    for (double& radius : radii)
+        radius = smallest * std::exp(power(generator));
+    return radii;
 }
 
 TEST(NeighborSearch, FindsThePairsThatComparingAllFinds) {
@@ -152,6 +163,112 @@ TEST(NeighborSearch, RefusesWhatCannotBeSearched) {
         EXPECT_THROW(find_neighbors(positions, radius), InputError) << radius;
     EXPECT_THROW(find_neighbors({{0, 0, 0}, {std::nan(""), 0, 0}}, 1), InputError);
     EXPECT_THROW(find_neighbors({{0, 0, 0}, {1e300, 0, 0}}, 1), InputError);
+}
+
+TEST(NeighborSearch, VaryingRadiiFindThePairsThatComparingAllFinds) {
+    for (unsigned seed = 0; seed < 10; ++seed)
+        for (const int dimension : {2, 3})
+            for (const double range : {1.5, 4.0, 100.0, 999.0})
+                expect_same_as_all_pairs(
+                    random_positions(300, 1, dimension, seed),
+                    SupportRadii(random_radii(300, 0.5 / range, range, seed + 1)));
+}
+
+TEST(NeighborSearch, VaryingRadiiWhereCellsShareBuckets) {
+    // Pairs of every kind, at a distance about the mean of their radii, scattered thinly.
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        auto positions = random_positions(400, 1e4, 3, seed);
+        const auto radii = random_radii(400, 1, 200, seed);
+        for (std::size_t i = 0; i < 200; ++i) {
+            positions[i + 200] = positions[i];
+            positions[i + 200][i % 3] +=
+                (radii[i] + radii[i + 200]) / 2 * (i % 2 == 0 ? 0.99 : 1.01);
+        }
+        expect_same_as_all_pairs(positions, SupportRadii(radii));
+    }
+}
+
+TEST(NeighborSearch, VaryingRadiiKeepPhasesAndInvalidParticlesApart) {
+    auto positions = random_positions(200, 1, 3, 3);
+    auto radii = random_radii(200, 0.1, 20, 3);
+    std::vector<std::uint8_t> valid(200, 1);
+    std::vector<std::int64_t> phase(200);
+    for (std::size_t i = 0; i < 200; ++i)
+        phase[i] = static_cast<std::int64_t>(i % 3);
+    valid[17] = 0; // so that its radius does not matter
+    radii[17] = std::nan("");
+    expect_same_as_all_pairs(positions, SupportRadii(radii, valid), {&valid, &phase});
+    valid.assign(200, 0);
+    EXPECT_TRUE(find_neighbors(positions, SupportRadii(radii), {&valid}).neighbors.empty());
+}
+
+TEST(NeighborSearch, VaryingRadiiGiveTheSameListsOnAnyNumberOfThreads) {
+    const auto positions = random_positions(5000, 1, 3, 5);
+    const SupportRadii radii(random_radii(5000, 0.02, 10, 5));
+    const auto one = find_neighbors(positions, radii, {}, 1);
+    const auto many = find_neighbors(positions, radii, {}, 8);
+    EXPECT_EQ(one.offsets, many.offsets);
+    EXPECT_EQ(one.neighbors, many.neighbors);
+}
+
+TEST(NeighborSearch, EqualRadiiAreOneForAll) {
+    const SupportRadii radii(std::vector<double>(400, 0.1));
+    EXPECT_FALSE(radii.vary());
+    EXPECT_EQ(radii.of(7), 0.1);
+    // In lists of varying radii, particles of equal radius find each other in the same order.
+    auto positions = random_positions(400, 1, 3, 2);
+    const auto lists = find_neighbors(positions, radii);
+    std::vector<double> each(400, 0.1);
+    positions.push_back({100, 100, 100});
+    each.push_back(1);
+    const auto varying = find_neighbors(positions, SupportRadii(each));
+    EXPECT_EQ(varying.neighbors, lists.neighbors);
+}
+
+TEST(NeighborSearch, FindsAroundAPlaceAtAnyDistance) {
+    const auto positions = random_positions(500, 1, 3, 4);
+    const NeighborGrid grid(positions, 0.1);
+    FoundNeighbors found;
+    for (const double radius : {0.03, 0.1, 0.25, 0.9, 100.0})
+        for (const std::array<double, 3>& center : random_positions(20, 1.2, 3, 5)) {
+            grid.find_around(center, radius, found);
+            std::vector<std::uint32_t> expected;
+            for (std::uint32_t i = 0; i < positions.size(); ++i)
+                if (std::hypot(positions[i][0] - center[0], positions[i][1] - center[1],
+                               positions[i][2] - center[2]) < radius)
+                    expected.push_back(i);
+            std::sort(found.particles.begin(), found.particles.end());
+            ASSERT_EQ(found.particles, expected) << radius;
+        }
+}
+
+TEST(NeighborSearch, RefusesRadiiThatCannotBeUsedAndNamesTheParticle) {
+    const Positions positions{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+    const auto refusal = [&](std::vector<double> radii) {
+        return error_of<InputError>([&] { find_neighbors(positions, SupportRadii(radii)); });
+    };
+    for (const double radius : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()})
+        expect_mentions(refusal({1, radius, 2}),
+                        {"support radius of particle 1", "positive", number_text(radius).c_str()});
+    expect_mentions(refusal({1, 2, 1e-151}), {"support radius of particle 2", "1e-150"});
+    expect_mentions(refusal({1, 2}), {"each of 3 particles", "found 2"});
+    expect_mentions(refusal({0.5, 1, 501}),
+                    {"0.5 m (particle 0)", "501 m (particle 2)", "factor of 1000"});
+    EXPECT_EQ(find_neighbors(positions, SupportRadii({0.5, 1, 500})).neighbors.size(), 4U);
+}
+
+TEST(NeighborSearch, RefusesRadiiThatReachOverEverything) {
+    const std::size_t count = 200000;
+    const auto positions = random_positions(count, 1, 3, 6);
+    auto radii = random_radii(count, 0.01, 2, 6);
+    EXPECT_NO_THROW(NeighborGrid(positions, SupportRadii(radii)));
+    for (double& radius : radii)
+        radius *= 300;
+    expect_mentions(error_of<InputError>([&] { NeighborGrid(positions, SupportRadii(radii)); }),
+                    {"reach over 200000 particles", "--support-radius"});
+    radii = random_radii(count, 0.01, 2, 6);
+    radii[5] = 5; // one alone does no harm
+    EXPECT_NO_THROW(NeighborGrid(positions, SupportRadii(radii)));
 }
 
 } // namespace

@@ -48,6 +48,26 @@ TEST(ParticleArrays, MassesArePositiveOrAbsent) {
     }
 }
 
+TEST(ParticleArrays, SupportRadiiAreOneForAllWhereTheyCanBe) {
+    Snapshot snapshot = three_particles("support_radius", std::vector<float>{0.5F, 0.5F, 0.25F});
+    const SupportRadii varying = support_radii(snapshot);
+    EXPECT_TRUE(varying.vary());
+    EXPECT_EQ(varying.each, (std::vector<double>{0.5, 0.5, 0.25}));
+    EXPECT_EQ(varying.smallest, 0.25);
+    EXPECT_EQ(varying.largest, 0.5);
+    snapshot.positions[2][1] = nan; // whose radius does not matter
+    EXPECT_FALSE(support_radii(snapshot).vary());
+    EXPECT_EQ(support_radii(snapshot).largest, 0.5);
+    snapshot.support_radius = 0.125; // stored for all
+    EXPECT_EQ(support_radii(snapshot).largest, 0.125);
+    for (const double bad : {nan, -1.0}) // told apart from the others, for the search to refuse
+        EXPECT_TRUE(
+            support_radii(three_particles("support_radius", std::vector<double>{0.5, bad, 0.5}))
+                .vary());
+    expect_mentions(error_of<InputError>([] { support_radii(Snapshot{}); }),
+                    {"no support radius", "--support-radius"});
+}
+
 TEST(ParticleArrays, IntegersKeepAllTheirDigits) {
     constexpr std::int64_t large = (std::int64_t{1} << 62) + 1; // double would round it
     EXPECT_EQ(integer_values(three_particles("id", Integers{large, -large, 0}), "id", all_valid),

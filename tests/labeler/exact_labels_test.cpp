@@ -181,7 +181,7 @@ TEST(Lattices, LabelsDoNotDependOnWhereTheyStand) {
                         {x * h / spacings, y * h / spacings, z * h / spacings});
         const Labels still = label_particles(lattice, h, LabelOptions{});
         const std::size_t inside = side * side * side / 2;
-        EXPECT_EQ(still.neighbor_count[inside], spacings == 2 ? 26U : 80U);
+        EXPECT_EQ(still.neighbor_count[inside], spacings == 2 ? 26 : 80);
         EXPECT_EQ(still.uncovered_fraction[inside], 0);
         for (int trial = 0; trial < 40; ++trial) {
             Snapshot moved = lattice;
@@ -235,10 +235,10 @@ TEST(Boundary, CountsInTheFeaturesByOption) {
     LabelOptions options;
     options.skip_invalid = true;
     const Labels without = label_particles(snapshot, 1, options);
-    EXPECT_EQ(without.neighbor_count, (std::vector<std::uint32_t>{1, 1, 0, 0}));
+    EXPECT_EQ(without.neighbor_count, (std::vector<double>{1, 1, 0, 0}));
     options.boundary_counts = true;
     const Labels with = label_particles(snapshot, 1, options);
-    EXPECT_EQ(with.neighbor_count, (std::vector<std::uint32_t>{2, 3, 2, 0}));
+    EXPECT_EQ(with.neighbor_count, (std::vector<double>{2, 3, 2, 0}));
     // (3 (0.5, 0) + 3 (0, -0.4)) / (3 + 3)
     EXPECT_NEAR(with.mass_offset[0], std::hypot(0.25, 0.2), 1e-15);
     // (1 (-0.5, 0) + 3 (-0.5, -0.4) + 3 (-0.5, 0.1)) / 7
@@ -255,7 +255,7 @@ TEST(Boundary, ThatCountsMakesAWallLookLikeFluid) {
     const Labels labels = label_particles(snapshot, 2.0, options);
     for (std::size_t i = 0; i < snapshot.size(); ++i)
         if (snapshot.positions[i][2] < 5) {
-            EXPECT_EQ(labels.neighbor_count[i], 26U) << "particle " << i;
+            EXPECT_EQ(labels.neighbor_count[i], 26) << "particle " << i;
             EXPECT_NEAR(labels.mass_offset[i], 0, 1e-15) << "particle " << i;
         }
 }

@@ -54,7 +54,7 @@ TEST(Labeler, CountsOfALatticeDoNotDependOnRounding) {
         for (double& coordinate : position)
             coordinate = static_cast<float>(coordinate * 0.04);
     const auto labels = label_particles(snapshot, 0.08, LabelOptions{});
-    EXPECT_EQ(labels.neighbor_count[3 * 49 + 3 * 7 + 3], 26U);
+    EXPECT_EQ(labels.neighbor_count[3 * 49 + 3 * 7 + 3], 26);
     EXPECT_NEAR(labels.mass_offset[3 * 49 + 3 * 7 + 3], 0, 1e-6);
 }
 
@@ -92,7 +92,7 @@ TEST(Labeler, ParticlesInOnePlaceAreAllSurface) {
     const auto labels = label_particles(snapshot, 0.5, options);
     for (std::size_t i = 0; i < snapshot.size(); ++i) {
         EXPECT_EQ(labels.uncovered_fraction[i], 1);
-        EXPECT_EQ(labels.neighbor_count[i], 0U);
+        EXPECT_EQ(labels.neighbor_count[i], 0);
     }
 }
 
