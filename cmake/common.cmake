@@ -12,9 +12,11 @@ configure_file(${PROJECT_SOURCE_DIR}/cmake/version.hpp.in
     ${PROJECT_BINARY_DIR}/include/meniscus/version.hpp @ONLY)
 
 # Warnings for our own code; -ffp-contract=off because the same input must give the same bits on
-# every x86-64 machine, and a compiler that fuses a multiplication with an addition does not.
+# every x86-64 machine, and a compiler that fuses a multiplication with an addition does not. A
+# target with the property CONTRACTED is built as a host may build it: there it does.
 add_library(meniscus_settings INTERFACE)
-target_compile_options(meniscus_settings INTERFACE -Wall -Wextra -ffp-contract=off)
+target_compile_options(meniscus_settings INTERFACE -Wall -Wextra
+    -ffp-contract=$<IF:$<BOOL:$<TARGET_PROPERTY:CONTRACTED>>,fast,off>)
 
 # meniscus_library(NAME [STATIC|SHARED|MODULE] SOURCES...): a library of the project.
 function(meniscus_library name)
