@@ -90,7 +90,6 @@ struct Stages {
     }
     template <class Loop>
     void curvature(const Loop& loop) {
-        find_turning<float, 3>(loop, list);
         find_mapped_curvature<float, 3>(options.map, 0.8, loop, list, curvatures_before);
     }
     template <class Loop>

@@ -207,15 +207,15 @@ private:
             mix_in_covariance_normals<Real, Dimension>(settings.covariance_share, loop, list);
         for (int pass = 0; pass < settings.normal_passes; ++pass)
             smooth_normals<Real, Dimension>(settings.tau, loop, list, normals_before);
-        if (settings.curvature == CurvatureForm::mapped ||
-            settings.force.form == ForceForm::calibrated)
-            find_turning<Real, Dimension>(loop, list);
         const double ratio = settings.exposure.radius_ratio;
-        if (settings.curvature == CurvatureForm::mapped)
+        if (settings.curvature == CurvatureForm::mapped) {
             find_mapped_curvature<Real, Dimension>(settings.map, ratio, loop, list,
                                                    curvatures_before);
-        else
+        } else {
             find_curvature<Real, Dimension>(ratio, loop, list);
+            if (settings.force.form == ForceForm::calibrated)
+                find_turning<Real, Dimension>(loop, list);
+        }
         for (int pass = 0; pass < settings.curvature_passes; ++pass)
             smooth_curvature<Real, Dimension>(settings.tau, loop, list, curvatures_before);
         find_force<Real, Dimension>(settings.force, radii, loop, list);
