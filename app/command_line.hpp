@@ -23,6 +23,7 @@ public:
 // The verbs.
 void add_label(CLI::App& command);
 void add_train(CLI::App& command);
+void add_calibrate(CLI::App& command);
 void add_export(CLI::App& command);
 void add_audit(CLI::App& command);
 void add_classify(CLI::App& command);

@@ -55,6 +55,7 @@ int main(int argument_count, char** arguments) {
         command.get_formatter()->column_width(36);
         meniscus::add_label(command);
         meniscus::add_train(command);
+        meniscus::add_calibrate(command);
         meniscus::add_export(command);
         meniscus::add_audit(command);
         meniscus::add_classify(command);

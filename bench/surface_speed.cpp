@@ -88,7 +88,6 @@ struct Stages {
     }
     template <class Loop>
     void curvature(const Loop& loop) {
-        find_turning<float, 3>(fluid.radii(), loop, list);
         find_mapped_curvature<float, 3>(options.map, 0.8, fluid.radii(), loop, list,
                                         curvatures_before);
     }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <initializer_list>
 #include <string_view>
 
 namespace meniscus {
@@ -53,7 +54,14 @@ constexpr std::string_view members[] = {"k",
                                         "bulk_neighbor_count_min",
                                         "bulk_neighbor_count_max",
                                         "spacing_ratio_min",
-                                        "spacing_ratio_max"};
+                                        "spacing_ratio_max",
+                                        "coefficients",
+                                        "least",
+                                        "largest",
+                                        "averaged",
+                                        "fade",
+                                        "tau",
+                                        "normal_passes"};
 
 bool is_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
@@ -87,16 +95,28 @@ std::string comment_text(const std::string& text) {
     return safe;
 }
 
-void check_numbers(const Model& model) {
-    const Range none;
-    for (const double value :
-         {model.line.k, model.line.d, model.radius_ratio, model.label_threshold, model.d_margin,
-          model.reference_neighbor_count, model.spacing_ratio.value_or(none).min,
-          model.spacing_ratio.value_or(none).max, model.bulk_neighbor_count.value_or(none).min,
-          model.bulk_neighbor_count.value_or(none).max})
+void check_numbers(std::initializer_list<double> numbers) {
+    for (const double value : numbers)
         if (!std::isfinite(value))
             throw InputError("the model has a number that is not finite, so no header can be made "
                              "from it; train it again");
+}
+
+void check_numbers(const Model& model) {
+    const Range none;
+    check_numbers({model.line.k, model.line.d, model.radius_ratio, model.label_threshold,
+                   model.d_margin, model.reference_neighbor_count,
+                   model.spacing_ratio.value_or(none).min, model.spacing_ratio.value_or(none).max,
+                   model.bulk_neighbor_count.value_or(none).min,
+                   model.bulk_neighbor_count.value_or(none).max});
+}
+
+void check_name(const std::string& struct_name, const std::string& example) {
+    if (!is_identifier(struct_name))
+        throw InputError("'" + struct_name +
+                         "' cannot name the struct of a coefficient header; expected a C++ "
+                         "identifier such as " +
+                         example);
 }
 
 std::string constant(const std::string& name, double value, const std::string& comment) {
@@ -163,16 +183,57 @@ std::string digest(const std::string& text) {
     return digits;
 }
 
+/// Code inside an include guard.
+std::string guarded(const std::string& content) {
+    const std::string guard = "MENISCUS_COEFFICIENTS_" + digest(content);
+    return "// clang-format off\n#ifndef " + guard + "\n#define " + guard +
+           "\n\nnamespace meniscus {\n\n" + content + "\n} // namespace meniscus\n\n#endif\n";
+}
+
+std::string provenance_comment(const CurvatureModel& model) {
+    std::string text = "// Trained by calibrate on " + std::to_string(model.cloud_count) + " " +
+                       comment_text(model.clouds) + " clouds of seed " +
+                       std::to_string(model.seed) + ", " + std::to_string(model.particles) +
+                       " particles.\n"
+                       "// There the mean error of h kappa (the largest of all groups) and its "
+                       "deviation are:\n";
+    for (const std::string& line : residual_lines(model))
+        text += "//   " + comment_text(line) + "\n";
+    return text;
+}
+
+std::string struct_text(const CurvatureModel& model, const std::string& struct_name) {
+    std::string coefficients;
+    for (const double coefficient : model.map.coefficients)
+        coefficients += (coefficients.empty() ? "" : ", ") + number_text(coefficient);
+    return "struct " + struct_name +
+           " {\n    static constexpr int dimension = " + std::to_string(model.map.dimension) +
+           ";\n    /// Of 1, the turning of normals, its square, and the closed form\n"
+           "    static constexpr double coefficients[] = {" +
+           coefficients + "};\n" +
+           constant("least", model.map.least, "Turning in training; beyond, straight on") +
+           constant("largest", model.map.largest, "Turning in training; beyond, straight on") +
+           "    /// Over the surface particles around\n    static constexpr bool averaged = " +
+           (model.map.averaged ? "true" : "false") + ";\n" +
+           constant("radius_ratio", model.radius_ratio, "r2 / r1 in training") +
+           constant(
+               "fade", model.fade,
+               "Exposure at which a particle weighs 1, over that on a flat surface, in training") +
+           constant("tau", model.tau, "Share of the neighbors in smoothing, in training") +
+           "    /// Smoothing passes of the normals, in training\n"
+           "    static constexpr int normal_passes = " +
+           std::to_string(model.normal_passes) + ";\n" +
+           range_constants("spacing_ratio", model.spacing_ratio,
+                           "support radius over particle spacing") +
+           "};\n";
+}
+
 } // namespace
 
 std::string coefficient_header(const Model& model, const std::string& struct_name) {
-    if (!is_identifier(struct_name))
-        throw InputError("'" + struct_name +
-                         "' cannot name the struct of a coefficient header; expected a C++ "
-                         "identifier such as SurfaceCoefficients");
+    check_name(struct_name, "SurfaceCoefficients");
     check_numbers(model);
     const std::string content = struct_text(model, struct_name);
-    const std::string guard = "MENISCUS_COEFFICIENTS_" + digest(content);
     return std::string("// The line that tells surface particles from others: surface where y <= k "
                        "x + d, with "
                        "the\n// mass offset x and the neighbor count y. Written by `meniscus "
@@ -182,9 +243,18 @@ std::string coefficient_header(const Model& model, const std::string& struct_nam
                 ? "// The line is relative: scale k and d by your median neighbor count over\n"
                   "// reference_neighbor_count.\n//\n"
                 : "//\n") +
-           provenance_comment(model) + "// clang-format off\n#ifndef " + guard + "\n#define " +
-           guard + "\n\nnamespace meniscus {\n\n" + content +
-           "\n} // namespace meniscus\n\n#endif\n";
+           provenance_comment(model) + guarded(content);
+}
+
+std::string coefficient_header(const CurvatureModel& model, const std::string& struct_name) {
+    check_name(struct_name, "CurvatureCoefficients");
+    check_numbers({model.map.coefficients[0], model.map.coefficients[1], model.map.coefficients[2],
+                   model.map.coefficients[3], model.map.least, model.map.largest,
+                   model.radius_ratio, model.fade, model.tau, model.spacing_ratio.min,
+                   model.spacing_ratio.max});
+    return "// The map from how normals turn to mean curvature (curvature_map.hpp). Written by\n"
+           "// `meniscus export`; do not edit.\n//\n" +
+           provenance_comment(model) + guarded(struct_text(model, struct_name));
 }
 
 } // namespace meniscus

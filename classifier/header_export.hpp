@@ -1,8 +1,10 @@
 // The coefficient header is how a model reaches a solver: a C++ file of constexpr values that the
-// runtime consumes as a template argument (classify<Coefficients>), with what the model was
-// trained on as comments. It includes nothing and compiles alone, so it can be copied anywhere.
+// runtime consumes as a template argument (classify<Coefficients>, curvature_map<Coefficients>),
+// with what the model was trained on as comments. It includes nothing and compiles alone, so it can
+// be copied anywhere.
 #pragma once
 
+#include "curvature_model.hpp"
 #include "model.hpp"
 
 #include <string>
@@ -14,5 +16,10 @@ namespace meniscus {
 /// where not known). Numbers read back to the same bits. Throws InputError where `struct_name` is
 /// not a C++ identifier that a program may use, or where the model has a number that is not finite.
 std::string coefficient_header(const Model& model, const std::string& struct_name);
+
+/// The header of a curvature map, for curvature_map<NAME>(): dimension, coefficients, least and
+/// largest turning, averaged, and what it holds for: radius_ratio, fade, tau, normal_passes,
+/// spacing_ratio_min and _max. Throws as above.
+std::string coefficient_header(const CurvatureModel& model, const std::string& struct_name);
 
 } // namespace meniscus

@@ -39,5 +39,5 @@ MeniscusFit fit_logistic(const MeniscusTrainingSet& set) {
 
 void meniscus_fit_logistic(const MeniscusTrainingSet* set, MeniscusFit* fit) {
     using namespace meniscus::torch_fit;
-    *fit = guarded([&] { return fit_logistic(*set); });
+    *fit = guarded_line([&] { return fit_logistic(*set); });
 }

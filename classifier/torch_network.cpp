@@ -242,5 +242,5 @@ MeniscusFit fit_network(const MeniscusTrainingSet& set) {
 
 void meniscus_fit_network(const MeniscusTrainingSet* set, MeniscusFit* fit) {
     using namespace meniscus::torch_fit;
-    *fit = guarded([&] { return fit_network(*set); });
+    *fit = guarded_line([&] { return fit_network(*set); });
 }

@@ -122,20 +122,29 @@ inline MeniscusFit line_of_separator(double a, double b, double c, const Standar
 
 /// Runs a fit on one thread, because sums over several depend on their number; what it throws
 /// becomes the message of the result.
-template <class Fit>
-MeniscusFit guarded(Fit&& fit) {
-    MeniscusFit result{};
+template <class Result, class Fit>
+Result guarded(Fit&& fit) {
+    Result result{};
     try {
         at::set_num_threads(1);
         result = fit();
-        if (!std::isfinite(result.k) || !std::isfinite(result.d))
-            throw std::runtime_error("the fit does not converge; check the labels");
     } catch (const c10::Error& error) {
         std::snprintf(result.message, sizeof result.message, "%s", error.what_without_backtrace());
     } catch (const std::exception& error) {
         std::snprintf(result.message, sizeof result.message, "%s", error.what());
     }
     return result;
+}
+
+/// The same for the fit of a line, which must be finite.
+template <class Fit>
+MeniscusFit guarded_line(Fit&& fit) {
+    return guarded<MeniscusFit>([&] {
+        const MeniscusFit line = fit();
+        if (!std::isfinite(line.k) || !std::isfinite(line.d))
+            throw std::runtime_error("the fit does not converge; check the labels");
+        return line;
+    });
 }
 
 } // namespace meniscus::torch_fit

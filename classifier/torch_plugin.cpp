@@ -29,18 +29,19 @@ void* load_module() {
     if (void* module = dlopen(module_name, RTLD_NOW | RTLD_LOCAL))
         return module;
     throw FailureError("the libtorch module cannot be loaded (" + reason +
-                       "); install libtorch and meniscus again, or train with "
-                       "--objective neyman-pearson");
+                       "); install libtorch and meniscus again; train "
+                       "--objective neyman-pearson needs none");
 }
 
-MeniscusFitFunction* find_fit(const std::string& objective) {
+template <class Function>
+Function* find_fit(const std::string& kind) {
     static void* const module = load_module();
-    const std::string name = "meniscus_fit_" + objective;
+    const std::string name = "meniscus_fit_" + kind;
     void* const symbol = dlsym(module, name.c_str());
     if (symbol == nullptr)
         throw FailureError("the libtorch module has no function " + name +
                            "; it belongs to another version, install meniscus again");
-    return reinterpret_cast<MeniscusFitFunction*>(symbol);
+    return reinterpret_cast<Function*>(symbol);
 }
 
 /// Scenes weigh the same, whatever their number of particles; the weights add up to one.
@@ -75,10 +76,33 @@ Line fit_with_torch(const std::string& objective, const std::vector<LabelledStat
     const auto parts = training_parts(states);
     const MeniscusTrainingSet set{parts.data(), parts.size(), label_threshold, seed};
     MeniscusFit fit{};
-    find_fit(objective)(&set, &fit);
+    find_fit<MeniscusFitFunction>(objective)(&set, &fit);
     if (fit.message[0] != '\0')
         throw FailureError("objective '" + objective + "': " + fit.message);
     return {fit.k, fit.d};
+}
+
+void check_has_torch_trainer(const std::string& what) {
+    if (!has_torch_trainer())
+        throw FailureError(what + " needs libtorch, and this program was built without it "
+                                  "(MENISCUS_TRAINER=OFF)");
+}
+
+std::vector<double> fit_curvature_with_torch(const CurvatureFitSet& set, std::size_t terms) {
+    check_has_torch_trainer("the fit of a curvature map");
+    const MeniscusCurvatureSet rows{set.features.data(),
+                                    set.truth.data(),
+                                    set.weight.data(),
+                                    set.group.data(),
+                                    set.truth.size(),
+                                    terms,
+                                    static_cast<std::size_t>(set.group.back()) + 1,
+                                    set.bias_penalty};
+    MeniscusCurvatureFit fit{};
+    find_fit<decltype(meniscus_fit_curvature)>("curvature")(&rows, &fit);
+    if (fit.message[0] != '\0')
+        throw FailureError(std::string("the fit of a curvature map: ") + fit.message);
+    return {fit.coefficients, fit.coefficients + terms};
 }
 
 } // namespace meniscus

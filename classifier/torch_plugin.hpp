@@ -21,4 +21,19 @@ bool has_torch_trainer();
 Line fit_with_torch(const std::string& objective, const std::vector<LabelledState>& states,
                     double label_threshold, std::uint64_t seed);
 
+/// Throws FailureError, naming what needs it, where the program was built without the trainer.
+void check_has_torch_trainer(const std::string& what);
+
+/// What a curvature map is fitted to; one entry a sample, `features` one a sample and term.
+struct CurvatureFitSet {
+    std::vector<double> features;
+    std::vector<double> truth;
+    std::vector<double> weight;
+    std::vector<std::int64_t> group; ///< ascending from 0, none left out
+    double bias_penalty = 0;
+};
+
+/// The coefficients of least squares, one a term. Throws as fit_with_torch does.
+std::vector<double> fit_curvature_with_torch(const CurvatureFitSet& set, std::size_t terms);
+
 } // namespace meniscus

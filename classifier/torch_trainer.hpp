@@ -33,7 +33,25 @@ struct MeniscusFit {
     char message[256]; ///< empty on success
 };
 
-/// Type of both fits; they never throw.
+/// Rows of the fit of a curvature map, not copied: terms and truth of each sample, both over the
+/// scale of its group, and its weight within it.
+struct MeniscusCurvatureSet {
+    const double* features; ///< rows * terms, row by row
+    const double* truth;
+    const double* weight;
+    const std::int64_t* group; ///< from 0 to groups - 1, each at least once
+    std::size_t rows;
+    std::size_t terms; ///< at most 4
+    std::size_t groups;
+    double bias_penalty; ///< of a group's squared mean error, against its variance
+};
+
+struct MeniscusCurvatureFit {
+    double coefficients[4]; ///< of the terms
+    char message[256];      ///< empty on success
+};
+
+/// Type of the fits of lines; no fit throws.
 using MeniscusFitFunction = void(const MeniscusTrainingSet* set, MeniscusFit* fit);
 
 /// Weighted logistic regression, the paper's linear separator: the line where p(surface) = 1/2.
@@ -42,4 +60,8 @@ __attribute__((visibility("default"))) MeniscusFitFunction meniscus_fit_logistic
 /// Two inputs, two ReLU units, two sigmoid outputs; the straight line that follows its decision
 /// boundary best where the particles are.
 __attribute__((visibility("default"))) MeniscusFitFunction meniscus_fit_network;
+
+/// Least squares of each group's variance and penalized mean error.
+__attribute__((visibility("default"))) void meniscus_fit_curvature(const MeniscusCurvatureSet* set,
+                                                                   MeniscusCurvatureFit* fit);
 }

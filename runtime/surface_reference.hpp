@@ -136,7 +136,6 @@ void find_force_reference(const View& view, const Radii& radii,
     const auto own = static_cast<Real>(1 - options.tau);
     const auto others = static_cast<Real>(options.tau);
     const std::vector<Vector> before = list.normal;
-    std::vector<Real> closed_form(list.size());
     for (std::size_t slot = 0; slot < list.size(); ++slot) {
         Vector sum = {};
         around(slot, [&](std::size_t other, Real weight, const Vector& /*step*/) {
@@ -147,41 +146,45 @@ void find_force_reference(const View& view, const Radii& radii,
             sum[axis] = own * before[slot][axis] + others * sum[axis];
         if (list.exposure[slot] > static_cast<Real>(least_exposure))
             list.normal[slot] = normalized<Real, Dimension>(sum);
-        closed_form[slot] = static_cast<Real>(
-            curvature_of<Dimension>(static_cast<double>(list.uncovered_fraction[slot]), ratio) /
-            static_cast<double>(radii.of(list.particle[slot])));
-        if (list.surface_class[slot] != SurfaceClass::surface)
-            closed_form[slot] = 0;
     }
+    std::vector<Real> mapped(list.size());
+    const double most = 2 / std::sqrt(1 - ratio * ratio);
     for (std::size_t slot = 0; slot < list.size(); ++slot) {
         Real along = 0;
+        Real turned = 0;
         Real squares = 0;
         around(slot, [&](std::size_t other, Real weight, const Vector& step) {
             weight *= list.weight[other];
-            for (int axis = 0; axis < Dimension; ++axis)
-                along += weight * (list.normal[other][axis] - list.normal[slot][axis]) * step[axis];
+            for (int axis = 0; axis < Dimension; ++axis) {
+                const Real turn = list.normal[other][axis] - list.normal[slot][axis];
+                along += weight * turn * step[axis];
+                turned += weight * turn * turn;
+            }
             squares += weight * squared_length<Real, Dimension>(step);
         });
-        list.turning[slot] = squares > 0 ? along / squares / radii.of(list.particle[slot]) : 0;
+        const Turning turning{static_cast<double>(squares > 0 ? along / squares : 0),
+                              static_cast<double>(squares > 0 ? turned / squares : 0)};
+        const double closed_form =
+            list.surface_class[slot] == SurfaceClass::surface
+                ? curvature_of<Dimension>(static_cast<double>(list.uncovered_fraction[slot]), ratio)
+                : 0;
+        const double curvature = curvature_of(options.map, turning, closed_form);
+        const auto radius = static_cast<double>(radii.of(list.particle[slot]));
+        list.turning[slot] = static_cast<Real>(turning.mean / radius);
+        mapped[slot] = static_cast<Real>(std::min(std::max(curvature, -most), most) / radius);
     }
     for (std::size_t slot = 0; slot < list.size(); ++slot) {
         Real weights = list.weight[slot];
-        Real turning = weights * list.turning[slot];
-        Real closed = weights * closed_form[slot];
+        Real sum = weights * mapped[slot];
         around(slot, [&](std::size_t other, Real weight, const Vector& /*step*/) {
             weight *= list.weight[other];
             weights += weight;
-            turning += weight * list.turning[other];
-            closed += weight * closed_form[other];
+            sum += weight * mapped[other];
         });
-        const Real radius = radii.of(list.particle[slot]);
         const bool is_surface = list.surface_class[slot] == SurfaceClass::surface && weights > 0;
         list.curvature[slot] = 0;
         if (is_surface)
-            list.curvature[slot] = static_cast<Real>(
-                curvature_of(options.map, static_cast<double>(turning / weights * radius),
-                             static_cast<double>(closed / weights * radius)) /
-                static_cast<double>(radius));
+            list.curvature[slot] = options.map.averaged ? sum / weights : mapped[slot];
     }
     for (std::size_t slot = 0; slot < list.size(); ++slot) {
         Real sum = list.weight[slot];

@@ -12,6 +12,8 @@
 #pragma once
 
 #include "connected_bodies.hpp"
+#include "curvature_coefficients.hpp"
+#include "curvature_coefficients_2d.hpp"
 #include "momentum.hpp"
 #include "surface_coefficients.hpp"
 #include "surface_force.hpp"
@@ -58,7 +60,10 @@ inline SurfaceTensionOptions paper_options() {
 template <int Dimension>
 SurfaceTensionOptions shipped_options() {
     SurfaceTensionOptions options;
-    options.map = {Dimension, {0, 1, 0, 0, 0, 0}, -1, 1};
+    if constexpr (Dimension == 2)
+        options.map = curvature_map<CurvatureCoefficients2D>();
+    else
+        options.map = curvature_map<CurvatureCoefficients>();
     return options;
 }
 
@@ -213,15 +218,15 @@ private:
             mix_in_covariance_normals<Real, Dimension>(settings.covariance_share, loop, list);
         for (int pass = 0; pass < settings.normal_passes; ++pass)
             smooth_normals<Real, Dimension>(settings.tau, loop, list, normals_before);
-        if (settings.curvature == CurvatureForm::mapped ||
-            settings.force.form == ForceForm::calibrated)
-            find_turning<Real, Dimension>(radii, loop, list);
         const double ratio = settings.exposure.radius_ratio;
-        if (settings.curvature == CurvatureForm::mapped)
+        if (settings.curvature == CurvatureForm::mapped) {
             find_mapped_curvature<Real, Dimension>(settings.map, ratio, radii, loop, list,
                                                    curvatures_before);
-        else
+        } else {
             find_curvature<Real, Dimension>(ratio, radii, loop, list);
+            if (settings.force.form == ForceForm::calibrated)
+                find_turning<Real, Dimension>(radii, loop, list);
+        }
         for (int pass = 0; pass < settings.curvature_passes; ++pass)
             smooth_curvature<Real, Dimension>(settings.tau, loop, list, curvatures_before);
         if (history != nullptr)

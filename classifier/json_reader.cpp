@@ -1,0 +1,180 @@
+#include "json_reader.hpp"
+
+#include <meniscus/data/errors.hpp>
+#include <meniscus/data/text.hpp>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+namespace meniscus {
+namespace {
+
+constexpr double largest_count = 1e15;
+
+std::string shown(const Json& value) {
+    std::string text = value.dump(-1, ' ', true, Json::error_handler_t::replace);
+    return text.size() <= 60 ? text : text.substr(0, 57) + "...";
+}
+
+bool is_number_between(const Json& value, double least, double largest) {
+    return value.is_number() && value.get<double>() >= least && value.get<double>() <= largest;
+}
+
+std::string between(double least, double largest) {
+    return number_text(least) + " to " + number_text(largest);
+}
+
+} // namespace
+
+Json parse_json(const std::string& text, const std::string& file, const std::string& what) {
+    std::string key;
+    const auto remember_key = [&](int, Json::parse_event_t event, Json& parsed) {
+        if (event == Json::parse_event_t::key)
+            key = parsed.get<std::string>();
+        return true;
+    };
+    try {
+        return Json::parse(text, remember_key);
+    } catch (const nlohmann::json::out_of_range&) {
+        throw InputError(file + ": '" + key + "' must be a finite number, found one too large");
+    } catch (const nlohmann::json::parse_error& error) {
+        throw InputError(file + " is not JSON, so not " + what + ": syntax error at byte " +
+                         std::to_string(error.byte) +
+                         (key.empty() ? "" : ", after key '" + key + "'"));
+    }
+}
+
+std::string text_of_file(const std::filesystem::path& file, const std::string& expected) {
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream || std::filesystem::is_directory(file))
+        throw InputError(file.string() + " cannot be read; expected " + expected);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+JsonReader::JsonReader(const Json& object, std::string file, std::string prefix)
+    : object(object), file(std::move(file)), prefix(std::move(prefix)) {
+    if (!object.is_object())
+        throw InputError(this->file + ": " +
+                         (this->prefix.empty() ? "the file" : "'" + this->prefix + "'") +
+                         " must hold a JSON object, found " + shown(object));
+}
+
+void JsonReader::refuse(const char* key, const std::string& expected) const {
+    const auto entry = object.find(key);
+    throw InputError(file + ": '" + path(key) + "' must be " + expected + ", found " +
+                     (entry == object.end() ? "none" : shown(*entry)));
+}
+
+const Json& JsonReader::value(const char* key) const {
+    const auto entry = object.find(key);
+    if (entry == object.end())
+        throw InputError(file + ": key '" + path(key) +
+                         "' is missing; make the file again or add the key");
+    return *entry;
+}
+
+double JsonReader::number(const char* key, double least, double largest) const {
+    const Json& entry = value(key);
+    if (!is_number_between(entry, least, largest))
+        refuse(key, "a number from " + between(least, largest));
+    return entry.get<double>();
+}
+
+int JsonReader::whole_number(const char* key, int least, int largest) const {
+    const Json& entry = value(key);
+    if (!is_number_between(entry, least, largest) || entry != entry.get<int>())
+        refuse(key,
+               "a whole number from " + std::to_string(least) + " to " + std::to_string(largest));
+    return entry.get<int>();
+}
+
+std::size_t JsonReader::count(const char* key) const {
+    const Json& entry = value(key);
+    if (!entry.is_number_unsigned() || entry.get<double>() > largest_count)
+        refuse(key, "a whole number that is not negative");
+    return entry.get<std::size_t>();
+}
+
+bool JsonReader::truth(const char* key) const {
+    if (!value(key).is_boolean())
+        refuse(key, "true or false");
+    return value(key).get<bool>();
+}
+
+std::string JsonReader::text(const char* key) const {
+    if (!value(key).is_string())
+        refuse(key, "text");
+    return value(key).get<std::string>();
+}
+
+std::optional<Range> JsonReader::range(const char* key, double least, double largest) const {
+    if (value(key).is_null())
+        return {};
+    const JsonReader limits = object_at(key);
+    const Range range{limits.number("min", least, largest), limits.number("max", least, largest)};
+    if (range.min > range.max)
+        refuse(key, "a range whose min is at most its max");
+    return range;
+}
+
+std::vector<double> JsonReader::numbers(const char* key, double least, double largest) const {
+    std::vector<double> numbers;
+    for (const Json& entry : list(key)) {
+        if (!is_number_between(entry, least, largest))
+            refuse(key, "a list of numbers from " + between(least, largest));
+        numbers.push_back(entry.get<double>());
+    }
+    return numbers;
+}
+
+std::vector<std::string> JsonReader::texts(const char* key) const {
+    std::vector<std::string> texts;
+    for (const Json& entry : list(key)) {
+        if (!entry.is_string())
+            refuse(key, "a list of texts");
+        texts.push_back(entry.get<std::string>());
+    }
+    return texts;
+}
+
+JsonReader JsonReader::object_at(const char* key) const {
+    return {value(key), file, path(key)};
+}
+
+std::vector<JsonReader> JsonReader::objects(const char* key) const {
+    std::vector<JsonReader> objects;
+    for (const Json& entry : list(key))
+        objects.emplace_back(entry, file,
+                             path(key + std::string("[") + std::to_string(objects.size()) + "]"));
+    return objects;
+}
+
+void JsonReader::expect_only(const std::vector<std::string>& keys) const {
+    for (const auto& item : object.items())
+        if (std::find(keys.begin(), keys.end(), item.key()) == keys.end()) {
+            std::string expected;
+            for (const std::string& key : keys)
+                expected += (expected.empty() ? "" : ", ") + key;
+            throw InputError(file + ": nothing has the key '" + path(item.key()) + "'; expected " +
+                             expected);
+        }
+}
+
+std::string JsonReader::path(const std::string& key) const {
+    return prefix.empty() ? key : prefix + "." + key;
+}
+
+const Json& JsonReader::list(const char* key) const {
+    if (!value(key).is_array())
+        refuse(key, "a list");
+    return value(key);
+}
+
+Json range_json(const std::optional<Range>& range) {
+    if (!range)
+        return nullptr;
+    return {{"min", range->min}, {"max", range->max}};
+}
+
+} // namespace meniscus

@@ -1,0 +1,40 @@
+// The map from how normals turn to mean curvature (curvature_map.hpp). Written by
+// `meniscus export`; do not edit.
+//
+// Trained by calibrate on 4183 filled clouds of seed 2, 254632 particles.
+// There the mean error of h kappa (the largest of all groups) and its deviation are:
+//   circle, h/R 0.02 to 0.7: off by at most 0.062, +- 0.066
+//   outside of circle, h/R 0.02 to 0.7: off by at most 0.094, +- 0.086
+// clang-format off
+#ifndef MENISCUS_COEFFICIENTS_5B2358B8BB255D46
+#define MENISCUS_COEFFICIENTS_5B2358B8BB255D46
+
+namespace meniscus {
+
+struct CurvatureCoefficients2D {
+    static constexpr int dimension = 2;
+    /// Of 1, the turning of normals, its square, and the closed form
+    static constexpr double coefficients[] = {0.00242983, 1.10797, -0.248353, 0.0};
+    /// Turning in training; beyond, straight on
+    static constexpr double least = -0.589664;
+    /// Turning in training; beyond, straight on
+    static constexpr double largest = 0.866058;
+    /// Over the surface particles around
+    static constexpr bool averaged = true;
+    /// r2 / r1 in training
+    static constexpr double radius_ratio = 0.8;
+    /// Exposure at which a particle weighs 1, in training
+    static constexpr double fade = 0.03;
+    /// Share of the neighbors in smoothing, in training
+    static constexpr double tau = 0.5;
+    /// Smoothing passes of the normals, in training
+    static constexpr int normal_passes = 1;
+    /// Least support radius over particle spacing seen in training
+    static constexpr double spacing_ratio_min = 1.8;
+    /// Largest support radius over particle spacing seen in training
+    static constexpr double spacing_ratio_max = 2.7;
+};
+
+} // namespace meniscus
+
+#endif
