@@ -13,6 +13,7 @@
 
 #include "connected_bodies.hpp"
 #include "momentum.hpp"
+#include "shipped_curvature_map.hpp"
 #include "surface_coefficients.hpp"
 #include "surface_force.hpp"
 
@@ -58,7 +59,7 @@ inline SurfaceTensionOptions paper_options() {
 template <int Dimension>
 SurfaceTensionOptions shipped_options() {
     SurfaceTensionOptions options;
-    options.map = {Dimension, {0, 1, 0, 0, 0, 0}, -1, 1};
+    options.map = shipped_curvature_map(Dimension);
     return options;
 }
 
