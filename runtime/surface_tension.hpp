@@ -12,9 +12,8 @@
 #pragma once
 
 #include "connected_bodies.hpp"
-#include "curvature_coefficients.hpp"
-#include "curvature_coefficients_2d.hpp"
 #include "momentum.hpp"
+#include "shipped_curvature_map.hpp"
 #include "surface_coefficients.hpp"
 #include "surface_force.hpp"
 
@@ -60,10 +59,7 @@ inline SurfaceTensionOptions paper_options() {
 template <int Dimension>
 SurfaceTensionOptions shipped_options() {
     SurfaceTensionOptions options;
-    if constexpr (Dimension == 2)
-        options.map = curvature_map<CurvatureCoefficients2D>();
-    else
-        options.map = curvature_map<CurvatureCoefficients>();
+    options.map = shipped_curvature_map(Dimension);
     return options;
 }
 
