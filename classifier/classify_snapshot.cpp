@@ -99,24 +99,6 @@ Predictions predict_as(const Model& model, const Snapshot& snapshot,
                                    : predict_as<Real, 3>(model, snapshot, neighborhoods);
 }
 
-/// The boundary particles around each valid particle, in compressed rows.
-NeighborLists find_boundary(const Snapshot& snapshot, double support_radius,
-                            const std::vector<std::uint8_t>& valid, int threads) {
-    check_boundary(snapshot);
-    const NeighborGrid grid(snapshot.boundary, support_radius, {}, threads);
-    NeighborLists lists{{0}, {}};
-    FoundNeighbors found;
-    for (std::size_t i = 0; i < snapshot.size(); ++i) {
-        found.clear();
-        if (valid[i] != 0)
-            grid.find_around(snapshot.positions[i], found);
-        lists.neighbors.insert(lists.neighbors.end(), found.particles.begin(),
-                               found.particles.end());
-        lists.offsets.push_back(lists.neighbors.size());
-    }
-    return lists;
-}
-
 /// Typical neighbor count of the particles taken for interior ones.
 std::optional<double> interior_neighbor_count(const Classes& classes) {
     std::vector<std::uint32_t> counts;
@@ -130,6 +112,25 @@ std::optional<double> interior_neighbor_count(const Classes& classes) {
 
 } // namespace
 
+NeighborLists find_boundary_neighbors(const Snapshot& snapshot, double support_radius,
+                                      const std::vector<std::uint8_t>& valid, int threads) {
+    NeighborLists lists{{0}, {}};
+    if (snapshot.boundary.empty())
+        return lists;
+    check_boundary(snapshot);
+    const NeighborGrid grid(snapshot.boundary, support_radius, {}, threads);
+    FoundNeighbors found;
+    for (std::size_t i = 0; i < snapshot.size(); ++i) {
+        found.clear();
+        if (valid[i] != 0)
+            grid.find_around(snapshot.positions[i], found);
+        lists.neighbors.insert(lists.neighbors.end(), found.particles.begin(),
+                               found.particles.end());
+        lists.offsets.push_back(lists.neighbors.size());
+    }
+    return lists;
+}
+
 Neighborhoods find_neighborhoods(const Snapshot& snapshot, double support_radius,
                                  const std::vector<std::uint8_t>& valid, bool boundary_counts,
                                  int threads) {
@@ -141,7 +142,7 @@ Neighborhoods find_neighborhoods(const Snapshot& snapshot, double support_radius
     result.lists = find_neighbors(snapshot.positions, support_radius,
                                   {&valid, phases.empty() ? nullptr : &phases}, threads);
     if (boundary_counts && !snapshot.boundary.empty()) {
-        result.boundary_lists = find_boundary(snapshot, support_radius, valid, threads);
+        result.boundary_lists = find_boundary_neighbors(snapshot, support_radius, valid, threads);
         result.boundary_mass = mean_mass(result.masses, valid);
     }
     return result;
@@ -160,10 +161,9 @@ Classes classify_snapshot(const Snapshot& snapshot, const Model& model,
         throw InputError("no support radius is stored; give --support-radius");
     Classes classes;
     classes.valid = checked_positions(snapshot, options.skip_invalid);
-    auto predictions = predict(model, snapshot,
-                               find_neighborhoods(snapshot, *snapshot.support_radius, classes.valid,
-                                                  model.boundary_counts, options.threads),
-                               Precision::float64);
+    classes.neighborhoods = find_neighborhoods(snapshot, *snapshot.support_radius, classes.valid,
+                                               model.boundary_counts, options.threads);
+    auto predictions = predict(model, snapshot, classes.neighborhoods, Precision::float64);
     classes.surface = std::move(predictions.surface);
     classes.neighbor_count = std::move(predictions.neighbor_count);
     for (std::size_t i = 0; i < classes.surface.size(); ++i)

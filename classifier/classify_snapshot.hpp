@@ -23,6 +23,12 @@ struct Neighborhoods {
     std::vector<std::uint8_t> valid;
 };
 
+/// The boundary particles closer than the support radius (m) to each particle whose `valid` is not
+/// 0, in compressed rows; empty where there is no boundary. Throws InputError where the boundary
+/// cannot be used, or the neighbor search refuses.
+NeighborLists find_boundary_neighbors(const Snapshot& snapshot, double support_radius,
+                                      const std::vector<std::uint8_t>& valid, int threads);
+
 /// The neighborhoods of the particles whose `valid` is not 0: a `phase` array keeps phases apart, a
 /// `mass` array weights the features. With `boundary_counts` the snapshot's boundary particles are
 /// neighbors too, whatever the phase. `threads` 0 takes all cores. Throws InputError where such an
@@ -54,6 +60,7 @@ struct Classes {
     std::vector<std::uint8_t> valid;           ///< 0 where left out
     std::vector<std::uint32_t> neighbor_count; ///< feature y
     std::vector<std::string> warnings;         ///< one line each, for standard error
+    Neighborhoods neighborhoods;               ///< that the classes were found over
 };
 
 /// Classifies a snapshot in double. Its boundary particles count where the model says that they do;
