@@ -82,7 +82,7 @@ struct SurfaceParticles {
     std::vector<Real> turning;  ///< of the normals (curvature_map.hpp), times h
     std::vector<Real> curvature;            ///< h kappa, mean curvature times support radius
     std::vector<Vector> force;              ///< N
-    std::vector<std::uint32_t> pairs_begin; ///< of each slot, in `pairs`
+    std::vector<std::uint32_t> pairs_begin; ///< of each slot, in `pairs`; and the end of all
     std::vector<std::uint32_t> pairs_count;
     std::vector<SurfacePair<Real, Dimension>> pairs;
 
@@ -95,12 +95,12 @@ struct SurfaceParticles {
             values->reserve(count);
         for (auto* vectors : {&normal, &force})
             vectors->reserve(count);
-        for (auto* counts : {&pairs_begin, &pairs_count})
-            counts->reserve(count);
-        pairs.reserve(pair_count + 1);
+        pairs_begin.reserve(count + 1);
+        pairs_count.reserve(count);
+        pairs.reserve(count + pair_count);
     }
 
-    /// One entry a slot in everything; room for so many pairs.
+    /// One entry a slot in everything; so many entries for pairs.
     void resize_slots(std::size_t pair_count) {
         surface_class.resize(size());
         for (auto* values : {&uncovered_fraction, &exposure, &weight, &turning, &curvature})
@@ -108,7 +108,7 @@ struct SurfaceParticles {
         for (auto* vectors : {&normal, &force})
             vectors->resize(size());
         pairs_count.resize(size());
-        pairs.resize(pair_count + 1);
+        pairs.resize(pair_count);
     }
 };
 
@@ -128,8 +128,9 @@ void number_candidates(SurfaceParticles<Real, Dimension>& list) {
         list.slot_of[i] = static_cast<std::int32_t>(list.particle.size());
         list.particle.push_back(static_cast<std::uint32_t>(i));
         list.pairs_begin.push_back(pairs);
-        pairs += static_cast<std::uint32_t>(neighbors);
+        pairs += static_cast<std::uint32_t>(neighbors) + 1; // see collect()
     }
+    list.pairs_begin.push_back(pairs);
     list.resize_slots(pairs);
 }
 
@@ -143,15 +144,18 @@ inline double exposure_weight(double exposure, double fade) {
     return exposure < fade ? exposure / fade : 1;
 }
 
+/// Neighbors of a particle for which there is always room.
+inline constexpr std::size_t usual_neighbors = 64;
+
 /// What one concurrent caller works with.
 struct ExposureMemory {
     SampledCaps caps;
     std::vector<float> hold_limits;
     ExactCoverage exact;
 
-    /// Room for so many neighbors of a particle.
+    /// Room for so many neighbors of a particle, boundary included.
     void reserve(std::size_t neighbors) {
-        caps.reserve(neighbors);
+        caps.reserve(std::max(neighbors, usual_neighbors));
         hold_limits.reserve(caps.x.size());
         exact.reserve(neighbors);
     }
@@ -234,10 +238,13 @@ MENISCUS_INLINE Vector3 collect(const View& view, const Boundary& boundary, cons
     const std::int32_t* const slot_of = list.slot_of.data();
     const std::size_t particles = list.slot_of.size();
     auto* const pairs = list.pairs.data() + list.pairs_begin[slot];
+    // Features measure in m and this in radii, so rounding may find one neighbor more here; and a
+    // host's own counts are the host's. What is too much goes to the one entry beyond, uncounted.
+    const std::uint32_t most_pairs = list.pairs_begin[slot + 1] - list.pairs_begin[slot] - 1;
     std::uint32_t pairs_count = 0;
     Real inward[Dimension] = {};
     std::size_t count = 0;
-    caps.reserve(64);
+    caps.reserve(usual_neighbors);
     float *x = caps.x.data(), *y = caps.y.data(), *z = caps.z.data(), *limit = caps.limit.data();
     std::size_t room = caps.x.size() - wide_float_count;
     visit_covering<Real, Dimension>(
@@ -260,7 +267,7 @@ MENISCUS_INLINE Vector3 collect(const View& view, const Boundary& boundary, cons
             const std::int32_t neighbor = j < particles ? slot_of[j] : -1;
             pairs[pairs_count] = {static_cast<std::uint32_t>(neighbor),
                                   1 - std::sqrt(distance_squared), step};
-            pairs_count += neighbor >= 0 ? 1 : 0;
+            pairs_count += int{neighbor >= 0} & int{pairs_count < most_pairs};
         });
     caps.count = count;
     list.pairs_count[slot] = pairs_count;
