@@ -36,6 +36,8 @@ install(FILES ${PROJECT_BINARY_DIR}/meniscusConfig.cmake
     DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/meniscus)
 
 # For builds that know neither CMake nor C++.
+file(RELATIVE_PATH MENISCUS_PREFIX_FROM_PKGCONFIG
+    ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
 configure_file(${PROJECT_SOURCE_DIR}/cmake/meniscus.pc.in ${PROJECT_BINARY_DIR}/meniscus.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/meniscus.pc
     DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
