@@ -170,76 +170,95 @@ std::unique_ptr<SurfaceStep> make_step(const meniscus_options& options, int dime
     }
 }
 
-SurfaceReport report(const meniscus_results& found, const meniscus_options& options) {
+std::string words_for(const meniscus_results& found, const meniscus_options& options) {
     const auto surface =
         std::count(found.surface_class, found.surface_class + found.slots, MENISCUS_AT_SURFACE);
     const bool complete =
         options.coverage == MENISCUS_EXACT || options.verification == MENISCUS_VERIFY;
-    return {fmt::format("{} let through by the line, {} of them surface, {}", found.slots, surface,
-                        complete ? "none lost" : "those without an open sample dropped"),
-            ""};
+    return fmt::format("{} let through by the line, {} of them surface, {}", found.slots, surface,
+                       complete ? "none lost" : "those without an open sample dropped");
+}
+
+/// How the uncovered part of a candidate is found.
+void add_coverage_options(CLI::App& group, SurfaceChoices& choices) {
+    auto* samples =
+        group
+            .add_option("--samples", choices.samples,
+                        "Samples of a candidate's sphere (default: 128); with --time-step the "
+                        "fewest (default: 16)")
+            ->check(CLI::Range(fewest_samples, most_samples));
+    auto* time_step =
+        group
+            .add_option("--time-step", choices.time_step,
+                        "Time step in s: samples are its product with --sampling-density, at "
+                        "most 16384")
+            ->check(positive_number());
+    auto* density = group
+                        .add_option("--sampling-density", choices.sampling_density,
+                                    "C_SD in 1/s, samples a particle in a second of simulated time")
+                        ->check(positive_number());
+    time_step->needs(density);
+    density->needs(time_step);
+    auto* drop = group.add_flag("--drop-covered", choices.drop_covered,
+                                "Candidates without an uncovered sample count as covered, as in "
+                                "the paper (default: the exact test decides)");
+    group.add_flag("--exact", choices.exact, "Uncovered parts in closed form in place of samples")
+        ->excludes(samples)
+        ->excludes(time_step)
+        ->excludes(density)
+        ->excludes(drop);
+}
+
+void add_smoothing_options(CLI::App& group, SurfaceChoices& choices) {
+    group
+        .add_option("--normal-passes", choices.normal_passes,
+                    "Smoothing passes of the normals (default: 1)")
+        ->check(passes());
+    group.add_option("--tau", choices.tau, "Share of the neighbors in a pass (default: 0.5)")
+        ->check(share());
+    group
+        .add_option("--pca-share", choices.pca_share,
+                    "Share of the minor axis of the surface particles around in normals "
+                    "(default: 0)")
+        ->check(share());
+    group
+        .add_option("--curvature", choices.curvature,
+                    "Curvature from the uncovered fraction alone, or by the map over the turning "
+                    "of the normals (default: mapped)")
+        ->check(CLI::IsMember({"closed", "mapped"}));
+    group
+        .add_option("--curvature-passes", choices.curvature_passes,
+                    "Smoothing passes of the curvature (default: 0, with --paper 1)")
+        ->check(passes());
+}
+
+void add_force_options(CLI::App& group, SurfaceChoices& choices) {
+    auto* fade =
+        group
+            .add_option("--fade", choices.fade,
+                        "Exposure at which a surface particle has its full weight (default: 0.03)")
+            ->check(share());
+    group.add_flag("--no-fade", choices.no_fade, "Every surface particle has its full weight")
+        ->excludes(fade);
+    group
+        .add_option("--force", choices.force,
+                    "The paper's force, or the one in which sigma is in N/m (default: calibrated)")
+        ->check(CLI::IsMember({"paper", "calibrated"}));
+    group.add_option("--surface-tension", choices.surface_tension, "Sigma in N/m (default: 0.072)")
+        ->check(number_between(-no_limit, no_limit, "a finite number"));
+    group.add_flag("--balance-momentum", choices.balance_momentum,
+                   "Take net force and torque out of every body of fluid that touches no boundary");
 }
 
 } // namespace
 
 void add_surface_options(CLI::App& verb, SurfaceChoices& choices) {
-    const char* group = "Surface tension";
-    const auto add = [&](const char* name, auto& value, const char* description) {
-        return verb.add_option(name, value, description)->group(group);
-    };
-    const auto add_flag = [&](const char* name, bool& value, const char* description) {
-        return verb.add_flag(name, value, description)->group(group);
-    };
-    add_flag("--paper", choices.paper,
-             "All choices as in the 2020 paper; options below change single ones");
-    auto* samples =
-        add("--samples", choices.samples,
-            "Samples of a candidate's sphere (default: 128); with --time-step the fewest "
-            "(default: 16)")
-            ->check(CLI::Range(fewest_samples, most_samples));
-    auto* time_step =
-        add("--time-step", choices.time_step,
-            "Time step in s: samples are its product with --sampling-density, at most 16384")
-            ->check(positive_number());
-    auto* density = add("--sampling-density", choices.sampling_density,
-                        "C_SD in 1/s, samples a particle in a second of simulated time")
-                        ->check(positive_number());
-    time_step->needs(density);
-    density->needs(time_step);
-    auto* drop = add_flag("--drop-covered", choices.drop_covered,
-                          "Candidates without an uncovered sample count as covered, as in the "
-                          "paper (default: the exact test decides)");
-    add_flag("--exact", choices.exact, "Uncovered parts in closed form in place of samples")
-        ->excludes(samples)
-        ->excludes(time_step)
-        ->excludes(density)
-        ->excludes(drop);
-    auto* fade = add("--fade", choices.fade,
-                     "Exposure at which a surface particle has its full weight (default: 0.03)")
-                     ->check(share());
-    add_flag("--no-fade", choices.no_fade, "Every surface particle has its full weight")
-        ->excludes(fade);
-    add("--normal-passes", choices.normal_passes, "Smoothing passes of the normals (default: 1)")
-        ->check(passes());
-    add("--tau", choices.tau, "Share of the neighbors in a smoothing pass (default: 0.5)")
-        ->check(share());
-    add("--pca-share", choices.pca_share,
-        "Share of the minor axis of the surface particles around in normals (default: 0)")
-        ->check(share());
-    add("--curvature", choices.curvature,
-        "Curvature from the uncovered fraction alone, or by the map over the turning of the "
-        "normals (default: mapped)")
-        ->check(CLI::IsMember({"closed", "mapped"}));
-    add("--curvature-passes", choices.curvature_passes,
-        "Smoothing passes of the curvature (default: 0, with --paper 1)")
-        ->check(passes());
-    add("--force", choices.force,
-        "The paper's force, or the one in which sigma is in N/m (default: calibrated)")
-        ->check(CLI::IsMember({"paper", "calibrated"}));
-    add("--surface-tension", choices.surface_tension, "Sigma in N/m (default: 0.072)")
-        ->check(number_between(-no_limit, no_limit, "a finite number"));
-    add_flag("--balance-momentum", choices.balance_momentum,
-             "Take net force and torque out of every body of fluid that touches no boundary");
+    auto* group = verb.add_option_group("Surface tension");
+    group->add_flag("--paper", choices.paper,
+                    "All choices as in the 2020 paper; options below change single ones");
+    add_coverage_options(*group, choices);
+    add_smoothing_options(*group, choices);
+    add_force_options(*group, choices);
 }
 
 SurfaceReport add_surface(Snapshot& snapshot, const Classes& classes, const Model& model,
@@ -255,14 +274,14 @@ SurfaceReport add_surface(Snapshot& snapshot, const Classes& classes, const Mode
     step->step(particles);
     if (choices.balance_momentum)
         step->balance_momentum(particles);
-    auto found = report(step->results(), options);
+    SurfaceReport report = {words_for(step->results(), options), ""};
     set_results(snapshot, step->results());
     set_provenance(snapshot, options, choices.balance_momentum);
     if (!snapshot.particle_spacing)
-        found.note = fmt::format("    particle spacing {} m: half the support radius; "
-                                 "--particle-spacing gives another\n",
-                                 spacing);
-    return found;
+        report.note = fmt::format("    particle spacing {} m: half the support radius; "
+                                  "--particle-spacing gives another\n",
+                                  spacing);
+    return report;
 }
 
 } // namespace meniscus

@@ -358,7 +358,9 @@ int meniscus_add_accelerations(const meniscus_surface* surface, const void* mass
         check_surface(surface);
         const std::size_t step = checked_stride(*surface, stride);
         const auto found = surface->step->results();
-        demand(accelerations != nullptr || found.count == 0, "accelerations is NULL");
+        if (found.count == 0)
+            return;
+        demand(accelerations != nullptr, "accelerations is NULL");
         demand(masses != nullptr || is_positive(mass),
                "mass must be positive and finite, where masses is NULL");
         with_real(*surface, [&](auto real) {

@@ -103,9 +103,9 @@ TEST(CInterface, BoundaryRadiiAndCandidates) {
     std::vector<double> walls;
     std::vector<std::uint64_t> offsets = {0};
     std::vector<std::uint32_t> rows;
-    for (double x = -2; x <= 2; x += 0.5)
-        for (double y = -2; y <= 2; y += 0.5)
-            walls.insert(walls.end(), {x, y, -2.5});
+    for (int x = -4; x <= 4; ++x)
+        for (int y = -4; y <= 4; ++y)
+            walls.insert(walls.end(), {0.5 * x, 0.5 * y, -2.5});
     for (std::size_t i = 0; i < fluid.size(); ++i) {
         for (std::uint32_t wall = 0; wall < walls.size() / 3; ++wall)
             rows.push_back(wall);
