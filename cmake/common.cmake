@@ -3,10 +3,12 @@
 # Headers are included as <meniscus/FOLDER/NAME.hpp>, here as in an installed copy. Here that path
 # leads through links in the build tree to the source folders.
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/include/meniscus)
-foreach(folder runtime data labeler classifier)
+foreach(folder runtime c_interface data labeler classifier)
     file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${folder} ${PROJECT_BINARY_DIR}/include/meniscus/${folder}
         SYMBOLIC)
 endforeach()
+file(CREATE_LINK ${PROJECT_SOURCE_DIR}/c_interface/meniscus.h
+    ${PROJECT_BINARY_DIR}/include/meniscus/meniscus.h SYMBOLIC)
 
 configure_file(${PROJECT_SOURCE_DIR}/cmake/version.hpp.in
     ${PROJECT_BINARY_DIR}/include/meniscus/version.hpp @ONLY)

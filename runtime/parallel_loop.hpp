@@ -13,6 +13,7 @@
 #include <cstddef>
 
 #if defined(_OPENMP)
+#include <exception>
 #include <omp.h>
 #endif
 
@@ -33,7 +34,7 @@ struct SerialLoop {
 #if defined(_OPENMP)
 
 /// Chunks of a few hundred particles, taken by whichever thread is free: surface particles cost far
-/// more than others and lie together.
+/// more than others and lie together. What a body throws is thrown on in the calling thread.
 struct OpenMpLoop {
     int threads = omp_get_max_threads();
 
@@ -43,11 +44,19 @@ struct OpenMpLoop {
     void operator()(std::size_t count, Body&& body) const {
         constexpr std::size_t chunk = 256;
         const std::size_t chunks = (count + chunk - 1) / chunk;
+        std::exception_ptr thrown; // none may leave the parallel region
 #pragma omp parallel for schedule(dynamic) num_threads(threads)
         for (std::size_t c = 0; c < chunks; ++c) {
             const std::size_t end = (c + 1) * chunk < count ? (c + 1) * chunk : count;
-            body(c * chunk, end, omp_get_thread_num());
+            try {
+                body(c * chunk, end, omp_get_thread_num());
+            } catch (...) {
+#pragma omp critical(meniscus_thrown)
+                thrown = std::current_exception();
+            }
         }
+        if (thrown)
+            std::rethrow_exception(thrown);
     }
 };
 

@@ -100,7 +100,7 @@ struct SurfaceParticles {
         pairs.reserve(pair_count + count);
     }
 
-    /// One entry a slot in everything; room for so many pairs.
+    /// One entry a slot in everything; so many entries for pairs.
     void resize_slots(std::size_t pair_count) {
         surface_class.resize(size());
         for (auto* values : {&uncovered_fraction, &exposure, &weight, &turning, &curvature})
@@ -152,15 +152,18 @@ double flat_exposure(double radius_ratio) {
     return Dimension == 2 ? std::sqrt(square) / pi : square / 4;
 }
 
+/// Neighbors of a particle for which there is always room.
+inline constexpr std::size_t usual_neighbors = 64;
+
 /// What one concurrent caller works with.
 struct ExposureMemory {
     SampledCaps caps;
     std::vector<float> hold_limits;
     ExactCoverage exact;
 
-    /// Room for so many neighbors of a particle.
+    /// Room for so many neighbors of a particle, boundary included.
     void reserve(std::size_t neighbors) {
-        caps.reserve(neighbors);
+        caps.reserve(std::max(neighbors, usual_neighbors));
         hold_limits.reserve(caps.x.size());
         exact.reserve(neighbors);
     }
@@ -285,11 +288,13 @@ MENISCUS_INLINE Vector3 collect(const View& view, const Boundary& boundary, cons
     const std::int32_t* const slot_of = list.slot_of.data();
     const std::size_t particles = list.slot_of.size();
     auto* const pairs = list.pairs.data() + list.pairs_begin[slot];
-    const std::size_t pairs_room = list.pairs_begin[slot + 1] - list.pairs_begin[slot] - 1;
+    // Features measure in m and this in radii, so rounding may find one neighbor more here; and a
+    // host's own counts are the host's. What is too much goes to the one entry beyond, uncounted.
+    const std::size_t most_pairs = list.pairs_begin[slot + 1] - list.pairs_begin[slot] - 1;
     std::uint32_t pairs_count = 0;
     Real inward[Dimension] = {};
     std::size_t count = 0;
-    caps.reserve(64);
+    caps.reserve(usual_neighbors);
     float *x = caps.x.data(), *y = caps.y.data(), *z = caps.z.data(), *limit = caps.limit.data();
     std::size_t room = caps.x.size() - wide_float_count;
     visit_covering<Real, Dimension>(
@@ -309,16 +314,14 @@ MENISCUS_INLINE Vector3 collect(const View& view, const Boundary& boundary, cons
             z[count] = Dimension == 3 ? static_cast<float>(step[Dimension - 1]) : 0.0F;
             limit[count] = 0.5F * static_cast<float>(distance_squared) + half_cosine;
             ++count;
-            // Full only where a host's count is wrong, or a distance at a limit rounds otherwise.
-            const bool has_room = pairs_count < pairs_room;
-            const std::int32_t neighbor = j < particles && has_room ? slot_of[j] : -1;
+            const std::int32_t neighbor = j < particles ? slot_of[j] : -1;
             auto& pair = pairs[pairs_count];
             pair.slot = static_cast<std::uint32_t>(neighbor);
             pair.weight = 1 - std::sqrt(distance_squared);
             const auto& own = in_own_radius(step, radii, list.particle[slot], j);
             for (int axis = 0; axis < Dimension; ++axis)
                 pair.step[axis] = own[axis];
-            pairs_count += neighbor >= 0 ? 1 : 0;
+            pairs_count += int{neighbor >= 0} & int{pairs_count < most_pairs};
         });
     caps.count = count;
     list.pairs_count[slot] = pairs_count;
