@@ -109,7 +109,7 @@ SurfaceTensionOptions options_for(double radius, SurfaceTensionOptions options =
     options.d = Dimension == 3 ? 18 : 6;
     options.samples = 64;
     options.map = shipped_curvature_map(Dimension);
-    options.force.particle_spacing = radius / 2;
+    options.force.spacing_ratio = 2;
     return options;
 }
 
