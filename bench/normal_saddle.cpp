@@ -132,6 +132,7 @@ TimesAfter measure_times(const NormalCase& some, std::vector<Timed>& all) {
     List smoothed = exposed;
     List mixed = exposed;
     std::vector<std::function<void()>> works;
+    works.reserve(all.size() + 2);
     for (Timed& timed : all)
         works.emplace_back([&] { timed.scheme.expose(some, 0, timed.directions, list); });
     works.emplace_back([&] { smooth_normals<double, 3>(0.5, SerialLoop{}, smoothed, before); });

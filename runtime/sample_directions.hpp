@@ -82,7 +82,7 @@ inline constexpr std::size_t rings = 3;
 
 /// Where they end: part of the sphere's area (the circle's length) that is nearer to the axis.
 template <int Dimension>
-inline constexpr double ring_ends[rings + 1] = {0, Dimension == 2 ? 1.0 / 3 : 0.25, 0.5, 1};
+inline constexpr double ring_ends[rings] = {Dimension == 2 ? 1.0 / 3 : 0.25, 0.5, 1};
 
 /// How many of the samples lie in a ring: three fifths in the first, a fifth in each other.
 inline std::size_t ring_samples(std::size_t samples, std::size_t ring) {
@@ -141,7 +141,8 @@ void fill_outward_directions(std::size_t samples, std::uint64_t seed,
                              SampleDirections& directions) {
     using namespace sample_directions;
     constexpr double golden_turn = 0.61803398874989484820;
-    constexpr auto& ends = ring_ends<Dimension>;
+    const auto end_of = [](std::size_t ring) { return ring_ends<Dimension>[ring]; };
+    const auto begin_of = [=](std::size_t ring) { return ring == 0 ? 0 : end_of(ring - 1); };
     const std::size_t inner = ring_samples(samples, 0);
     const std::size_t outer = ring_samples(samples, 1);
     const auto ring_of = [=](std::size_t k) { return k < inner ? 0 : 1 + (k - inner) / outer; };
@@ -156,7 +157,7 @@ void fill_outward_directions(std::size_t samples, std::uint64_t seed,
             // On the circle a ring is two arcs: the first half of it on one side, from the far
             // end inwards, the second on the other.
             const double from_axis = Dimension == 2 ? std::fabs(2 * along - 1) : along;
-            const double part = ends[ring] + (ends[ring + 1] - ends[ring]) * from_axis;
+            const double part = begin_of(ring) + (end_of(ring) - begin_of(ring)) * from_axis;
             const double turn =
                 Dimension == 2
                     ? along
@@ -165,7 +166,8 @@ void fill_outward_directions(std::size_t samples, std::uint64_t seed,
         },
         [&](std::size_t k) {
             const std::size_t ring = ring_of(k);
-            return (ends[ring + 1] - ends[ring]) / static_cast<double>(ring_samples(samples, ring));
+            return (end_of(ring) - begin_of(ring)) /
+                   static_cast<double>(ring_samples(samples, ring));
         },
         directions);
 }
