@@ -96,6 +96,7 @@ inline SurfaceTensionOptions runtime_options(const meniscus_options& from, int d
         from.curvature == MENISCUS_CLOSED_CURVATURE ? CurvatureForm::closed : CurvatureForm::mapped;
     to.map = shipped_curvature_map(dimension);
     if (from.curvature_map != nullptr) {
+        static_assert(sizeof(from.curvature_map->coefficients) == sizeof(to.map.coefficients));
         std::copy_n(from.curvature_map->coefficients, CurvatureMap::terms, to.map.coefficients);
         to.map.least = from.curvature_map->least;
         to.map.largest = from.curvature_map->largest;
