@@ -54,7 +54,7 @@ void compare_with_headers(bool paper) {
     for (std::size_t i = 0; i < fluid.size(); ++i)
         ids.push_back(static_cast<std::uint32_t>(7 * i + 3));
     SurfaceTension<Real, Dimension> tension(
-        options_for<Dimension>(1, paper ? paper_options() : SurfaceTensionOptions{}));
+        options_for<Dimension>(paper ? paper_options() : SurfaceTensionOptions{}));
     tension.step(fluid.view(), NoBoundary{}, fluid.size(), fluid.radii(), ids.data(), SerialLoop{});
     const Found expected = found_in_cpp(tension.surface());
     tension.template balance_momentum<Dimension>(fluid.view(), NoBoundary{}, fluid.radii(),
@@ -128,7 +128,7 @@ TEST(CInterface, BoundaryRadiiAndCandidates) {
     };
     const BoundaryView<decltype(wall_view)> boundary{wall_view};
     const std::vector<std::uint32_t> counts(fluid.size(), 100);
-    SurfaceTension<double, 3> tension(options_for<3>(1));
+    SurfaceTension<double, 3> tension(options_for<3>());
     tension.step(fluid.view(), boundary, fluid.size(), VaryingRadii<double>{radii.data()}, nullptr,
                  candidates.data(), counts.data(), SerialLoop{});
 

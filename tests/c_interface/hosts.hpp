@@ -19,7 +19,7 @@ template <int Dimension>
 meniscus_options host_options(double radius, bool paper = false) {
     meniscus_options options;
     (paper ? meniscus_options_paper : meniscus_options_init)(&options, sizeof options);
-    const auto same = options_for<Dimension>(radius);
+    const auto same = options_for<Dimension>();
     options.k = same.k;
     options.d = same.d;
     options.samples = same.samples;

@@ -24,7 +24,7 @@ std::vector<Found> found_by(Make make) {
     choices[3].samples = 500;
     std::vector<Found> all;
     for (auto& options : choices) {
-        const auto same = options_for<Dimension>(1);
+        const auto same = options_for<Dimension>();
         options.k = same.k;
         options.d = same.d;
         options.spacing_ratio = 2.5;

@@ -66,8 +66,8 @@ std::size_t most_neighbors(const Fluid<Real, Dimension>& fluid) {
 /// The options under which every stage runs.
 template <int Dimension>
 std::vector<SurfaceTensionOptions> options_of_all_stages() {
-    std::vector<SurfaceTensionOptions> all = {options_for<Dimension>(1),
-                                              options_for<Dimension>(1, paper_options())};
+    std::vector<SurfaceTensionOptions> all = {options_for<Dimension>(),
+                                              options_for<Dimension>(paper_options())};
     for (auto& options : all) {
         options.covariance_share = 0.3;
         options.curvature_passes = 2;
@@ -138,7 +138,7 @@ TEST(Allocation, NoneInDouble2D) {
 /// equal one does not.
 TEST(Allocation, OnlyWhileMemoryGrows) {
     const auto fluid = ball<float, 3>(5, 0.2);
-    SurfaceTension<float, 3> tension(options_for<3>(1));
+    SurfaceTension<float, 3> tension(options_for<3>());
     const auto step = [&] {
         tension.step(fluid.view(), fluid.size(), fluid.radii(), SerialLoop{});
     };

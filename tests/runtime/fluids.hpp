@@ -104,7 +104,7 @@ Fluid<Real, Dimension> block(std::array<int, 3> counts, double radius = 1) {
 /// Options for those fluids, whose spacing is half the radius. The line is one for both dimensions:
 /// lets through whoever has fewer neighbors than there are inside.
 template <int Dimension>
-SurfaceTensionOptions options_for(double radius, SurfaceTensionOptions options = {}) {
+SurfaceTensionOptions options_for(SurfaceTensionOptions options = {}) {
     options.k = Dimension == 3 ? 40 : 15;
     options.d = Dimension == 3 ? 18 : 6;
     options.samples = 64;

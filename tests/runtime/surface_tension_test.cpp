@@ -41,8 +41,8 @@ TYPED_TEST_SUITE(SurfaceTensionStep, Kinds);
 /// Both forces and curvatures, both ways of coverage, with and without what else there is.
 template <int Dimension>
 std::vector<SurfaceTensionOptions> all_options(double radius) {
-    std::vector<SurfaceTensionOptions> all = {options_for<Dimension>(radius),
-                                              options_for<Dimension>(radius, paper_options())};
+    std::vector<SurfaceTensionOptions> all = {options_for<Dimension>(),
+                                              options_for<Dimension>(paper_options())};
     all.push_back(all[0]);
     all.back().exposure.method = CoverageMethod::exact;
     all.back().covariance_share = 0.5;
@@ -193,7 +193,7 @@ TYPED_TEST(SurfaceTensionStep, StepsDoNotDependOnEarlierOnes) {
     constexpr int dimension = TypeParam::dimension;
     const auto fluid = droplet<Real, dimension>();
     const auto other = block<Real, dimension>({5, 7, 9});
-    SurfaceTension<Real, dimension> tension(options_for<dimension>(1));
+    SurfaceTension<Real, dimension> tension(options_for<dimension>());
     tension.step(fluid.view(), fluid.size(), fluid.radii(), SerialLoop{});
     const auto first = tension.surface();
     tension.step(other.view(), other.size(), other.radii(), SerialLoop{});
@@ -219,7 +219,7 @@ TYPED_TEST(SurfaceTensionStep, PermutedParticlesKeepTheirResults) {
         places.push_back(fluid.positions[id]);
     const Fluid<Real, dimension> permuted(std::move(places), 1);
 
-    const auto options = options_for<dimension>(1);
+    const auto options = options_for<dimension>();
     const auto tolerance = sizeof(Real) == sizeof(double) ? 1e-9 : 1e-4;
     SurfaceTension<Real, dimension> one(options);
     SurfaceTension<Real, dimension> two(options);
@@ -249,7 +249,7 @@ TEST(SurfaceTensionIds, KeyTheSamples) {
     std::vector<std::uint32_t> ids(fluid.size());
     for (std::size_t i = 0; i < ids.size(); ++i)
         ids[i] = static_cast<std::uint32_t>(i + 1);
-    SurfaceTension<double, 3> tension(options_for<3>(1));
+    SurfaceTension<double, 3> tension(options_for<3>());
     tension.step(fluid.view(), fluid.size(), fluid.radii(), SerialLoop{});
     const auto plain = tension.surface();
     tension.step(fluid.view(), NoBoundary{}, fluid.size(), fluid.radii(), ids.data(), SerialLoop{});
@@ -261,7 +261,7 @@ TYPED_TEST(SurfaceTensionStep, HostsOwnClassificationGivesTheSame) {
     using Real = typename TypeParam::Real;
     constexpr int dimension = TypeParam::dimension;
     const auto fluid = droplet<Real, dimension>();
-    const auto options = options_for<dimension>(1);
+    const auto options = options_for<dimension>();
     SurfaceTension<Real, dimension> own(options);
     own.step(fluid.view(), fluid.size(), fluid.radii(), SerialLoop{});
 
@@ -288,7 +288,7 @@ TYPED_TEST(SurfaceTensionStep, CountsThatAreTooSmallAreBorne) {
     const auto fluid = droplet<Real, dimension>();
     const std::vector<std::uint8_t> candidates(fluid.size(), 1);
     const std::vector<int> counts(fluid.size(), 1);
-    SurfaceTension<Real, dimension> tension(options_for<dimension>(1));
+    SurfaceTension<Real, dimension> tension(options_for<dimension>());
     tension.step(fluid.view(), NoBoundary{}, fluid.size(), fluid.radii(), nullptr,
                  candidates.data(), counts.data(), SerialLoop{});
     const auto& found = tension.surface();
@@ -326,8 +326,8 @@ TYPED_TEST(SurfaceTensionStep, BoundaryCovers) {
     const Walls<Real, dimension> view{&fluid, &wall_places};
     const BoundaryView<Walls<Real, dimension>> boundary{view};
 
-    SurfaceTension<Real, dimension> dry(options_for<dimension>(1));
-    SurfaceTension<Real, dimension> wet(options_for<dimension>(1));
+    SurfaceTension<Real, dimension> dry(options_for<dimension>());
+    SurfaceTension<Real, dimension> wet(options_for<dimension>());
     dry.step(fluid.view(), fluid.size(), fluid.radii(), SerialLoop{});
     wet.step(fluid.view(), boundary, fluid.size(), fluid.radii(), nullptr, SerialLoop{});
     const auto is_at = [&](const auto& tension, std::size_t slot) {
@@ -364,9 +364,9 @@ TYPED_TEST(SurfaceTensionStep, SurfaceIsCompleteWhateverTheSamples) {
     using Real = typename TypeParam::Real;
     constexpr int dimension = TypeParam::dimension;
     const auto fluid = droplet<Real, dimension>();
-    auto exact = options_for<dimension>(1);
+    auto exact = options_for<dimension>();
     exact.exposure.method = CoverageMethod::exact;
-    auto few = options_for<dimension>(1);
+    auto few = options_for<dimension>();
     few.samples = 4;
     auto dropping = few;
     dropping.exposure.verification = Verification::drop;
@@ -406,9 +406,9 @@ TEST(SurfaceTensionCheck, NamesWhatIsOutOfRange) {
         {"spacing_ratio", [=](auto& o) { o.force.spacing_ratio = nan; }},
         {"curvature map", [](auto& o) { o.map = shipped_curvature_map(2); }},
     };
-    EXPECT_NO_THROW((SurfaceTension<float, 3>(options_for<3>(1))));
+    EXPECT_NO_THROW((SurfaceTension<float, 3>(options_for<3>())));
     for (const auto& [name, spoil] : cases) {
-        auto options = options_for<3>(1);
+        auto options = options_for<3>();
         spoil(options);
         try {
             const SurfaceTension<float, 3> tension(options);
