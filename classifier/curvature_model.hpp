@@ -3,7 +3,7 @@
 // coefficient header (header_export.hpp).
 #pragma once
 
-#include "calibration.hpp"
+#include "curvature_samples.hpp"
 #include "model.hpp"
 
 #include <meniscus/runtime/curvature_map.hpp>
@@ -42,11 +42,16 @@ struct CurvatureModel {
     std::string file; ///< where it was read from, for messages; not stored
 };
 
-/// Fills the clouds of a calibration, runs the runtime on them and fits a map: least squares of the
-/// variance of each group's errors plus `bias_penalty` times its squared mean error, because
-/// regression on all samples alike shrinks towards their mean and is then biased at every
-/// curvature. Coefficients are rounded to six digits, where machines agree. Throws InputError where
-/// a cloud cannot be filled or gives no surface particle, FailureError where libtorch is not there.
+/// Fits a map to groups of samples, with the calibration's terms: least squares of the variance of
+/// each group's errors plus `bias_penalty` times its squared mean error, because regression on all
+/// samples alike shrinks towards their mean and is then biased at every curvature. Coefficients are
+/// rounded to six digits, where machines agree. Throws InputError where there is no group,
+/// FailureError where libtorch is not there.
+CurvatureModel fit_curvature_model(const std::vector<CurvatureGroup>& groups,
+                                   const Calibration& calibration);
+
+/// The same on the groups that the calibration itself gives. Throws InputError where a cloud cannot
+/// be filled or none has a surface particle, FailureError as above.
 CurvatureModel calibrate(const Calibration& calibration,
                          const std::function<void(std::size_t, std::size_t)>& progress);
 

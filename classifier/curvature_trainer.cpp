@@ -129,10 +129,8 @@ std::vector<CurvatureResidual> residuals(const std::vector<CurvatureGroup>& grou
 
 } // namespace
 
-CurvatureModel calibrate(const Calibration& calibration,
-                         const std::function<void(std::size_t, std::size_t)>& progress) {
-    check_has_torch_trainer("calibrate");
-    const std::vector<CurvatureGroup> groups = curvature_groups(calibration, progress);
+CurvatureModel fit_curvature_model(const std::vector<CurvatureGroup>& groups,
+                                   const Calibration& calibration) {
     if (groups.empty())
         throw InputError("no cloud has a surface particle that is far enough from where it is cut "
                          "off; take larger shapes (smaller sizes h / R)");
@@ -148,7 +146,8 @@ CurvatureModel calibrate(const Calibration& calibration,
     model.least_curvature = calibration.least_curvature;
     model.seed = calibration.seed;
     fit(groups, calibration, model.map);
-    model.spacing_ratio = {groups[0].spacing_ratio, groups[0].spacing_ratio};
+    const double first_ratio = rounded(groups[0].spacing_ratio);
+    model.spacing_ratio = {first_ratio, first_ratio};
     for (const CurvatureGroup& group : groups) {
         model.cloud_count += static_cast<std::size_t>(group.clouds);
         model.particles += group.samples.size();
@@ -157,6 +156,12 @@ CurvatureModel calibrate(const Calibration& calibration,
     }
     model.residuals = residuals(groups, model.map);
     return model;
+}
+
+CurvatureModel calibrate(const Calibration& calibration,
+                         const std::function<void(std::size_t, std::size_t)>& progress) {
+    check_has_torch_trainer("calibrate");
+    return fit_curvature_model(curvature_groups(calibration, progress), calibration);
 }
 
 } // namespace meniscus

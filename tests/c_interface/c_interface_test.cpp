@@ -66,7 +66,7 @@ void compare_with_headers(bool paper) {
     for (const std::size_t stride : {Dimension, Dimension + 1, Dimension + 2})
         for (const int bits : {32, 64})
             for (const int threads : {0, 1, 3}) {
-                auto options = host_options<Dimension>(1, paper);
+                auto options = host_options<Dimension>(paper);
                 options.threads = threads;
                 const Host<Real, Dimension> host(fluid, stride);
                 auto particles = host.particles(bits);
@@ -132,7 +132,7 @@ TEST(CInterface, BoundaryRadiiAndCandidates) {
     tension.step(fluid.view(), boundary, fluid.size(), VaryingRadii<double>{radii.data()}, nullptr,
                  candidates.data(), counts.data(), SerialLoop{});
 
-    const auto surface = create(host_options<3>(1), 3, MENISCUS_DOUBLE);
+    const auto surface = create(host_options<3>(), 3, MENISCUS_DOUBLE);
     ASSERT_EQ(meniscus_check(surface.get(), &particles), MENISCUS_OK) << meniscus_last_error();
     ASSERT_EQ(meniscus_step(surface.get(), &particles), MENISCUS_OK);
     const auto results = results_of(surface.get());
@@ -159,7 +159,7 @@ TEST(CInterface, ScattersAndAccelerates) {
     const auto fluid = ball<float, 2>(8, 0.2);
     const Host<float, 2> host(fluid);
     const auto particles = host.particles();
-    const auto surface = create(host_options<2>(1), 2, MENISCUS_FLOAT);
+    const auto surface = create(host_options<2>(), 2, MENISCUS_FLOAT);
     ASSERT_EQ(meniscus_step(surface.get(), &particles), MENISCUS_OK);
     const auto found = results_of(surface.get());
     ASSERT_LT(found.slots, fluid.size());
@@ -206,7 +206,7 @@ TEST(CInterface, SamplesAndLineChange) {
         EXPECT_EQ(meniscus_step(surface, &particles), MENISCUS_OK);
         return Found::of<double>(results_of(surface), 3);
     };
-    auto options = host_options<3>(1);
+    auto options = host_options<3>();
     const auto changed = create(options, 3, MENISCUS_DOUBLE);
     const Found with_64 = step(changed.get());
     options.samples = 320;
@@ -227,7 +227,7 @@ TEST(CInterface, MapsOfCurvatureAreTheHosts) {
     const Host<double, 3> host(fluid);
     const auto particles = host.particles();
     const meniscus_curvature_map map{{0.5, 0, 0, 0, 0, 0}, -1, 1};
-    auto options = host_options<3>(1);
+    auto options = host_options<3>();
     options.curvature_map = &map;
     const auto surface = create(options, 3, MENISCUS_DOUBLE);
     ASSERT_EQ(meniscus_step(surface.get(), &particles), MENISCUS_OK);
@@ -238,7 +238,7 @@ TEST(CInterface, MapsOfCurvatureAreTheHosts) {
 }
 
 TEST(CInterface, NoParticles) {
-    const auto surface = create(host_options<3>(1), 3, MENISCUS_FLOAT);
+    const auto surface = create(host_options<3>(), 3, MENISCUS_FLOAT);
     EXPECT_EQ(results_of(surface.get()).slots, 0U); // before the first step
     meniscus_particles none{};
     none.size = sizeof none;
@@ -252,7 +252,7 @@ TEST(CInterface, NoParticles) {
 
 /// One particle alone, for which lists are empty and no array of neighbors need be there.
 TEST(CInterface, ListsWithoutNeighbors) {
-    const auto surface = create(host_options<3>(1), 3, MENISCUS_FLOAT);
+    const auto surface = create(host_options<3>(), 3, MENISCUS_FLOAT);
     const Host<float, 3> host(Fluid<float, 3>({{0, 0, 0}}, 1));
     auto particles = host.particles();
     particles.neighbors = nullptr;
@@ -286,14 +286,14 @@ TEST(CInterfaceErrors, OptionsAreNamed) {
         {"radius_ratio", [](auto& o) { o.radius_ratio = 1; }},
     };
     for (const auto& [name, spoil] : cases) {
-        auto options = host_options<3>(1);
+        auto options = host_options<3>();
         spoil(options);
         int something = 0;
         auto* surface = reinterpret_cast<meniscus_surface*>(&something);
         expect_bad(meniscus_create(&surface, &options, 3, MENISCUS_FLOAT), name);
         EXPECT_EQ(surface, nullptr);
     }
-    const auto options = host_options<3>(1);
+    const auto options = host_options<3>();
     meniscus_surface* surface = nullptr;
     expect_bad(meniscus_create(&surface, &options, 4, MENISCUS_FLOAT), "dimension");
     expect_bad(meniscus_create(&surface, &options, 3, 2), "precision");
@@ -332,7 +332,7 @@ TEST(CInterfaceErrors, ParticlesAreNamed) {
          }},
     };
     const Host<float, 3> host(ball<float, 3>(3, 0.2));
-    const auto surface = create(host_options<3>(1), 3, MENISCUS_FLOAT);
+    const auto surface = create(host_options<3>(), 3, MENISCUS_FLOAT);
     for (const auto& [name, spoil] : cases) {
         auto particles = host.particles();
         spoil(particles);
@@ -347,7 +347,7 @@ TEST(CInterfaceErrors, ParticlesAreNamed) {
 }
 
 TEST(CInterfaceErrors, CheckFindsWhatStepsTrust) {
-    const auto surface = create(host_options<3>(1), 3, MENISCUS_DOUBLE);
+    const auto surface = create(host_options<3>(), 3, MENISCUS_DOUBLE);
     const auto check = [&](const Host<double, 3>& host, const auto& change, const char* part) {
         for (const int bits : {32, 64}) {
             auto particles = host.particles(bits);
@@ -388,7 +388,7 @@ TEST(CInterfaceErrors, CheckFindsWhatStepsTrust) {
 }
 
 TEST(CInterfaceErrors, OtherArguments) {
-    const auto surface = create(host_options<3>(1), 3, MENISCUS_DOUBLE);
+    const auto surface = create(host_options<3>(), 3, MENISCUS_DOUBLE);
     const Host<double, 3> host(ball<double, 3>(3, 0.2));
     const auto particles = host.particles();
     ASSERT_EQ(meniscus_step(surface.get(), &particles), MENISCUS_OK);
@@ -422,7 +422,7 @@ TEST(CInterfaceErrors, OtherArguments) {
 
 /// More than there can be, which no machine grants.
 TEST(CInterfaceErrors, TooMuchMemory) {
-    const auto surface = create(host_options<3>(1), 3, MENISCUS_DOUBLE);
+    const auto surface = create(host_options<3>(), 3, MENISCUS_DOUBLE);
     EXPECT_EQ(meniscus_reserve(surface.get(), std::size_t{1} << 62, 1), MENISCUS_OUT_OF_MEMORY);
     const Host<double, 3> host(ball<double, 3>(3, 0.2));
     const auto particles = host.particles();

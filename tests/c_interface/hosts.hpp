@@ -16,7 +16,7 @@ constexpr int precision_of = std::is_same_v<Real, double> ? MENISCUS_DOUBLE : ME
 
 /// Options of the interface that say what `options_for` says.
 template <int Dimension>
-meniscus_options host_options(double radius, bool paper = false) {
+meniscus_options host_options(bool paper = false) {
     meniscus_options options;
     (paper ? meniscus_options_paper : meniscus_options_init)(&options, sizeof options);
     const auto same = options_for<Dimension>();

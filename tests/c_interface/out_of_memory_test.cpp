@@ -47,7 +47,7 @@ namespace {
 TEST(OutOfMemory, EveryAllocationMayFail) {
     const Host<float, 3> host(ball<float, 3>(5, 0.2));
     const auto particles = host.particles();
-    auto options = host_options<3>(1);
+    auto options = host_options<3>();
     options.threads = 2;
     int failures_in_create = 0;
     int failures_in_step = 0;

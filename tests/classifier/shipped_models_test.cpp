@@ -2,12 +2,14 @@
 #include <meniscus/classifier/header_export.hpp>
 #include <meniscus/classifier/model.hpp>
 #include <meniscus/runtime/relative_surface_coefficients.hpp>
+#include <meniscus/runtime/shipped_curvature_map.hpp>
 #include <meniscus/runtime/strict_surface_coefficients.hpp>
 #include <meniscus/runtime/surface_coefficients.hpp>
 
 #include <fstream>
 #include <gtest/gtest.h>
 #include <iterator>
+#include <string>
 
 namespace meniscus {
 namespace {
@@ -28,6 +30,31 @@ TEST(ShippedModels, HeadersAreExportedFromThem) {
               runtime_header("strict_surface_coefficients"));
     EXPECT_EQ(coefficient_header(shipped("surface_3d_relative"), "RelativeSurfaceCoefficients"),
               runtime_header("relative_surface_coefficients"));
+}
+
+CurvatureModel shipped_curvature(const std::string& name) {
+    return read_curvature_model(std::string(MENISCUS_MODELS) + "/" + name + ".json");
+}
+
+TEST(ShippedModels, CurvatureHeadersAreExportedFromThem) {
+    EXPECT_EQ(coefficient_header(shipped_curvature("curvature_3d"), "CurvatureCoefficients"),
+              runtime_header("curvature_coefficients"));
+    EXPECT_EQ(coefficient_header(shipped_curvature("curvature_2d"), "CurvatureCoefficients2D"),
+              runtime_header("curvature_coefficients_2d"));
+}
+
+TEST(ShippedModels, CurvatureMapsSayWhatTheModelsSay) {
+    for (const int dimension : {2, 3}) {
+        const CurvatureModel model =
+            shipped_curvature("curvature_" + std::to_string(dimension) + "d");
+        const CurvatureMap map = shipped_curvature_map(dimension);
+        EXPECT_EQ(map.dimension, dimension);
+        for (int term = 0; term < CurvatureMap::terms; ++term)
+            EXPECT_EQ(map.coefficients[term], model.map.coefficients[term]);
+        EXPECT_EQ(map.least, model.map.least);
+        EXPECT_EQ(map.largest, model.map.largest);
+        EXPECT_TRUE(map.averaged);
+    }
 }
 
 TEST(ShippedModels, HeadersSayWhatTheModelsSay) {

@@ -40,7 +40,7 @@ TYPED_TEST_SUITE(SurfaceTensionStep, Kinds);
 
 /// Both forces and curvatures, both ways of coverage, with and without what else there is.
 template <int Dimension>
-std::vector<SurfaceTensionOptions> all_options(double radius) {
+std::vector<SurfaceTensionOptions> all_options() {
     std::vector<SurfaceTensionOptions> all = {options_for<Dimension>(),
                                               options_for<Dimension>(paper_options())};
     all.push_back(all[0]);
@@ -81,7 +81,7 @@ void expect_finite(const SurfaceParticles<Real, Dimension>& found) {
 template <class Real, int Dimension>
 void expect_finite_results(const Fluid<Real, Dimension>& fluid, const char* name) {
     SCOPED_TRACE(name);
-    for (const auto& options : all_options<Dimension>(static_cast<double>(fluid.radius))) {
+    for (const auto& options : all_options<Dimension>()) {
         SurfaceTension<Real, Dimension> tension(options);
         tension.step(fluid.view(), fluid.size(), fluid.radii(), SerialLoop{});
         expect_finite(tension.surface());
@@ -171,7 +171,7 @@ TYPED_TEST(SurfaceTensionStep, SameBitsWhateverTheLoop) {
     using Real = typename TypeParam::Real;
     constexpr int dimension = TypeParam::dimension;
     const auto fluid = droplet<Real, dimension>();
-    for (const auto& options : all_options<dimension>(1)) {
+    for (const auto& options : all_options<dimension>()) {
         // Under -ffast-math another loop is other code.
         const auto expected = surface_of(fluid, options, ThreadedLoop{1, fluid.size() + 1});
         ASSERT_GT(expected.size(), 50U);
