@@ -2,7 +2,7 @@
 # Prints the tables of README and docs/ again from the samples, between their "begin" and "end"
 # comments, and draws the plots. Takes some minutes; speed wants an otherwise idle machine, sampling
 # Debian's python3-matplotlib.
-# Usage: scripts/update_docs.sh [accuracy|speed|sampling|force|surface-speed]   (default: all)
+# Usage: scripts/update_docs.sh [accuracy|speed|sampling|force|surface-speed|curvature]   (default: all)
 set -euo pipefail
 cd "$(dirname "$0")/.."
 bin=build/release/bin
@@ -57,4 +57,14 @@ if wanted surface-speed; then
         "$bin/$build" data/samples/{dam_dfsph_14,crown_dfsph_15}.vtkhdf 2>/dev/null |
             replace docs/surface_tension.md "${build//_/-}"
     done
+fi
+if wanted curvature; then
+    "$bin/curvature_accuracy" ablation configs/curvature/solver_like_3d.json |
+        replace docs/curvature.md curvature-ablation
+    "$bin/curvature_accuracy" filled | replace docs/curvature.md curvature-filled
+    "$bin/curvature_accuracy" circles | replace docs/curvature.md curvature-circles
+    "$bin/curvature_accuracy" ellipsoid configs/models/curvature_dense_3d.json |
+        replace docs/curvature.md curvature-ellipsoid
+    "$bin/curvature_accuracy" droplet data/samples/cube_iisph_05.vtkhdf |
+        replace docs/curvature.md curvature-droplet
 fi
