@@ -78,7 +78,7 @@ CalibrationShape read_shape(const JsonReader& reader, const Calibration& calibra
     if (kind == nullptr)
         reader.refuse("kind", "one of " + kinds_text(calibration.dimension) + " in " +
                                   std::to_string(calibration.dimension) + " dimensions");
-    if (kind->proportions > 0)
+    if (kind->proportions > 0 || reader.has("proportions"))
         shape.proportions = reader.numbers("proportions", -100, 100);
     if (shape.proportions.size() != kind->proportions)
         reader.refuse("proportions", std::to_string(kind->proportions) + " numbers");

@@ -26,3 +26,4 @@ ship_curvature() {
 }
 ship_curvature solver_like_3d curvature_3d curvature_coefficients
 ship_curvature solver_like_2d curvature_2d curvature_coefficients_2d
+"$meniscus" calibrate configs/curvature/dense_3d.json -o configs/models/curvature_dense_3d.json

@@ -2,7 +2,8 @@
 # Prints the tables of README and docs/ again from the samples, between their "begin" and "end"
 # comments, and draws the plots. Takes some minutes; speed wants an otherwise idle machine, sampling
 # and normals Debian's python3-matplotlib.
-# Usage: scripts/update_docs.sh [accuracy|speed|sampling|force|surface-speed|normals]   (default: all)
+# Usage: scripts/update_docs.sh [TABLES]   (default: all)
+# TABLES: accuracy, speed, sampling, force, surface-speed, normals or curvature
 set -euo pipefail
 cd "$(dirname "$0")/.."
 bin=build/release/bin
@@ -66,4 +67,14 @@ if wanted normals; then
     scripts/plot_normals.py "$work/normals.json" docs/plots
     "$bin/normal_accuracy" ratio data/samples/droplet_iisph_14.vtkhdf |
         replace docs/normals.md ratio
+fi
+if wanted curvature; then
+    "$bin/curvature_accuracy" ablation configs/curvature/solver_like_3d.json |
+        replace docs/curvature.md curvature-ablation
+    "$bin/curvature_accuracy" filled | replace docs/curvature.md curvature-filled
+    "$bin/curvature_accuracy" circles | replace docs/curvature.md curvature-circles
+    "$bin/curvature_accuracy" ellipsoid configs/models/curvature_dense_3d.json |
+        replace docs/curvature.md curvature-ellipsoid
+    "$bin/curvature_accuracy" droplet data/samples/cube_iisph_05.vtkhdf |
+        replace docs/curvature.md curvature-droplet
 fi

@@ -60,9 +60,10 @@ TEST_F(Calibrate, GivesTheSameBytesWhateverTheThreads) {
 
 TEST_F(Calibrate, SaysWhichShapeCannotBeFilled) {
     std::string text = tiny;
-    text.replace(text.find("2.2"), 3, "1.2");
-    text.replace(text.find("0.4"), 3, "2.0");
-    fail(2, {"calibrate", write("small.json", text), "-o", model}, {"small.json"});
+    text.replace(text.find("\"dimension\": 2"), 14, "\"dimension\": 3");
+    text.replace(text.find("\"circle\""), 8, "\"ellipsoid\", \"proportions\": [0.02, 1, 1]");
+    fail(2, {"calibrate", write("small.json", text), "-o", model},
+         {"small.json", "ellipsoid", "particle spacing"});
     EXPECT_FALSE(std::filesystem::exists(model));
 }
 
