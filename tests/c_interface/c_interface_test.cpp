@@ -226,7 +226,7 @@ TEST(CInterface, MapsOfCurvatureAreTheHosts) {
     const auto fluid = ball<double, 3>(4, 0.2);
     const Host<double, 3> host(fluid);
     const auto particles = host.particles();
-    const meniscus_curvature_map map{{0.5, 0, 0, 0, 0, 0}, -1, 1};
+    const meniscus_curvature_map map{{0.5, 0, 0, 0}, -1, 1, 1};
     auto options = host_options<3>();
     options.curvature_map = &map;
     const auto surface = create(options, 3, MENISCUS_DOUBLE);
