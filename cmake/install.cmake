@@ -18,6 +18,8 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/samples/
     DESTINATION ${CMAKE_INSTALL_DATADIR}/meniscus/samples FILES_MATCHING PATTERN "*.vtkhdf")
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/configs/models/
     DESTINATION ${CMAKE_INSTALL_DATADIR}/meniscus/models FILES_MATCHING PATTERN "*.json")
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/configs/curvature/
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/meniscus/curvature FILES_MATCHING PATTERN "*.json")
 
 install(TARGETS meniscus_runtime meniscus_neighbor_search meniscus_data meniscus_labeler
     meniscus_c

@@ -1,5 +1,6 @@
-// The shipped maps on clouds that they were not trained on: the mean curvature must be right to
-// 5 %, and scatter at most half as much as the closed form's.
+// The shipped maps on clouds that they were not trained on: the mean error must stay below 5 % of
+// 1 / R, the deviation below half of the closed form's. In two dimensions, where a particle has few
+// neighbors on the surface, both are somewhat larger.
 #include <bench/curvature_errors.hpp>
 
 #include <gtest/gtest.h>
@@ -12,39 +13,47 @@ struct Standing {
     double jitter;
 };
 
+/// `size` is h / R.
 template <int Dimension>
-void expect_true(const Shape& shape, double curvature, double largest_bias) {
+void expect_true(const Shape& shape, double size, double largest_bias = 0.05,
+                 double largest_deviation = 0.5) {
     std::uint64_t seed = 99000;
     for (const Standing& standing :
          {Standing{Arrangement::relaxed, 0}, Standing{Arrangement::relaxed, 0.1},
-          Standing{Arrangement::lattice, 0.1}})
+          Standing{Arrangement::lattice, 0.1}}) {
+        const KnownCloud<Dimension> cloud(shape, 2.1, standing.kind, standing.jitter, seed++);
         for (const std::size_t samples : {0, 128}) {
             Spread errors[2];
-            for (const double spacing_ratio : {2.05, 2.2})
-                for (int repeat = 0; repeat < 3; ++repeat)
-                    KnownCloud<Dimension>(shape, spacing_ratio, standing.kind, standing.jitter,
-                                          seed++)
-                        .add_errors({closed_form_map(Dimension), shipped_curvature_map(Dimension)},
-                                    samples, SerialLoop{}, errors);
-            SCOPED_TRACE(testing::Message() << shape.name << ", h kappa " << curvature << ", "
-                                            << samples << " samples, jitter " << standing.jitter);
-            EXPECT_LT(std::fabs(errors[1].mean()), largest_bias * std::fabs(curvature));
-            EXPECT_LT(errors[1].deviation(), errors[0].deviation() / 2);
+            cloud.add_errors({closed_form_map(Dimension), shipped_curvature_map(Dimension)},
+                             samples, SerialLoop{}, errors);
+            SCOPED_TRACE(testing::Message() << shape.name << ", h / R " << size << ", " << samples
+                                            << " samples, jitter " << standing.jitter);
+            EXPECT_LT(std::fabs(errors[1].mean()), largest_bias * size);
+            EXPECT_LT(errors[1].deviation(), largest_deviation * errors[0].deviation());
         }
+    }
 }
 
 TEST(ShippedCurvature, OfDropsIsTrue) {
-    for (const double curvature : {0.18, 0.36, 0.48})
-        expect_true<3>(sphere(1 / curvature), curvature, 0.05);
+    for (const double size : {0.25, 0.36, 0.48})
+        expect_true<3>(sphere(1 / size), size);
 }
 
 TEST(ShippedCurvature, OfCavitiesIsTrue) {
-    for (const double curvature : {0.18, 0.36, 0.48})
-        expect_true<3>(outside(sphere(1 / curvature)), -curvature, 0.05);
+    for (const double size : {0.25, 0.36, 0.48})
+        expect_true<3>(outside(sphere(1 / size)), size);
 }
 
-TEST(ShippedCurvature, OfACylinderIsTrue) {
-    expect_true<3>(cylinder(2.2, 9), 0.5 / 2.2, 0.05);
+TEST(ShippedCurvature, OfCylindersIsTrue) {
+    expect_true<3>(cylinder(2.2, 9), 1 / 2.2);
+    expect_true<3>(outside(cylinder(2.2, 9)), 1 / 2.2);
+}
+
+TEST(ShippedCurvature, OfCirclesIsTrue) {
+    for (const double size : {0.12, 0.27}) {
+        expect_true<2>(circle(1 / size), size, 0.08, 0.6);
+        expect_true<2>(outside(circle(1 / size)), size, 0.08, 0.6);
+    }
 }
 
 } // namespace
