@@ -132,7 +132,8 @@ TEST_F(Audit, QuietPrintsNoTable) {
 TEST_F(Audit, TakesThePublishedLines) {
     std::set<double> constants;
     for (const auto& entry : std::filesystem::directory_iterator(MENISCUS_MODELS)) {
-        if (read_model(entry.path()).dimension != 3)
+        if (entry.path().stem().string().rfind("curvature", 0) == 0 ||
+            read_model(entry.path()).dimension != 3)
             continue;
         const Json report = json({droplet, "--model", entry.path(), "--label-threshold", "0"});
         if (std::abs(report["model"]["k"].get<double>() - 74.6888) < 5e-5)

@@ -140,8 +140,7 @@ TEST(CInterface, BoundaryRadiiAndCandidates) {
     const auto& list = tension.surface();
     for (std::size_t slot = 0; slot < results.slots; ++slot) {
         EXPECT_EQ(results.surface_class[slot], static_cast<std::uint8_t>(list.surface_class[slot]));
-        EXPECT_EQ(static_cast<const double*>(results.curvature)[slot],
-                  list.curvature[slot] / radii[slot]);
+        EXPECT_EQ(static_cast<const double*>(results.curvature)[slot], list.curvature[slot]);
         for (std::size_t axis = 0; axis < 3; ++axis)
             EXPECT_EQ(static_cast<const double*>(results.force)[3 * slot + axis],
                       list.force[slot][axis]);

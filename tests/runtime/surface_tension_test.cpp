@@ -172,12 +172,13 @@ TYPED_TEST(SurfaceTensionStep, SameBitsWhateverTheLoop) {
     constexpr int dimension = TypeParam::dimension;
     const auto fluid = droplet<Real, dimension>();
     for (const auto& options : all_options<dimension>()) {
-        // Under -ffast-math another loop is other code.
+        // Another kind of loop is other code, in which -ffast-math and contraction may round
+        // otherwise.
         const auto expected = surface_of(fluid, options, ThreadedLoop{1, fluid.size() + 1});
         ASSERT_GT(expected.size(), 50U);
         for (const ThreadedLoop loop : {ThreadedLoop{1, 1}, {2, 7}, {3, 16}, {4, 1000}})
             expect_same(surface_of(fluid, options, loop), expected);
-#if !defined(__FAST_MATH__)
+#if !defined(__FAST_MATH__) && !defined(__FMA__)
         expect_same(surface_of(fluid, options, SerialLoop{}), expected);
 #if defined(_OPENMP)
         for (const int threads : {1, 2, 3, 4})
