@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Prints the tables of README and docs/ again from the samples, between their "begin" and "end"
-# comments, and draws the plots. Takes some minutes; speed wants an otherwise idle machine, sampling
+# comments, and draws the plots. Takes some minutes, curvature half an hour; speed wants an otherwise idle machine, sampling
 # Debian's python3-matplotlib.
 # Usage: scripts/update_docs.sh [accuracy|speed|sampling|force|surface-speed|curvature]   (default: all)
 set -euo pipefail
