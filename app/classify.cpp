@@ -1,5 +1,6 @@
 // meniscus classify: the runtime on files. Writes what a solver that uses the model would see.
 #include "label.hpp"
+#include "surface_tension.hpp"
 
 #include <meniscus/classifier/audit.hpp>
 #include <meniscus/classifier/classify_snapshot.hpp>
@@ -11,7 +12,6 @@
 
 #include <fmt/format.h>
 #include <memory>
-#include <numeric>
 
 namespace meniscus {
 namespace {
@@ -21,6 +21,7 @@ struct ClassifyCommand {
     InputOptions input;
     Path model;
     Path boundary; ///< file of boundary particles; empty: those of the input itself
+    SurfaceChoices surface;
     bool skip_invalid = false;
     int threads = 0;
     bool quiet = false;
@@ -36,6 +37,8 @@ void classify_file(const Path& input, const Path& output, const Model& model,
         classify_snapshot(snapshot, model, {command.skip_invalid, command.threads});
     set_array(snapshot, {"predicted_surface", 1, classes.surface});
     set_array(snapshot, {"valid", 1, classes.valid});
+    const SurfaceReport report =
+        add_surface(snapshot, classes, model, command.surface, command.threads);
     snapshot.provenance["program"] = std::string("meniscus ") + program_version;
     snapshot.provenance["input_hash"] = file_hash(input);
     snapshot.provenance["model_hash"] = model_hash;
@@ -46,10 +49,8 @@ void classify_file(const Path& input, const Path& output, const Model& model,
     for (const std::string& warning : classes.warnings)
         print_error_line("warning: " + input.string() + ": " + warning);
     if (!command.quiet)
-        fmt::print("{}: {} particles in {}D, {} taken for surface\n{}", output.string(),
-                   snapshot.size(), snapshot.dimension,
-                   std::accumulate(classes.surface.begin(), classes.surface.end(), 0UL),
-                   support_radius_note(snapshot));
+        fmt::print("{}: {} particles in {}D, {}\n{}{}", output.string(), snapshot.size(),
+                   snapshot.dimension, report.found, support_radius_note(snapshot), report.note);
 }
 
 void run_classify(const ClassifyCommand& command) {
@@ -70,7 +71,9 @@ void run_classify(const ClassifyCommand& command) {
 void add_classify(CLI::App& command) {
     auto options = std::make_shared<ClassifyCommand>();
     auto* verb = command.add_subcommand(
-        "classify", "Apply a model to snapshots, as a solver would: class of each particle");
+        "classify",
+        "Apply a model to snapshots, as a solver would: class of each particle, and normal, "
+        "curvature and force of those at the surface");
     verb->add_option("INPUT", options->files.inputs, "Snapshots, as for label")->required();
     verb->add_option("--model", options->model, "Model file")->required();
     verb->add_option("-o,--output", options->files.folder,
@@ -78,10 +81,11 @@ void add_classify(CLI::App& command) {
         ->required();
     add_input_options(*verb, options->input);
     verb->add_option("--boundary", options->boundary,
-                     "File with the boundary particles for all inputs, where the model counts them "
-                     "(default: those that an input holds itself)");
+                     "File with the boundary particles for all inputs, which cover, and count "
+                     "where the model says so (default: those that an input holds itself)");
     verb->add_flag("--skip-invalid", options->skip_invalid,
                    "Leave particles whose position is not finite out, with valid = 0");
+    add_surface_options(*verb, options->surface);
     add_threads_option(*verb, options->threads);
     add_quiet_option(*verb, options->quiet);
     verb->callback([options] { run_classify(*options); });

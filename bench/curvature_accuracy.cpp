@@ -243,13 +243,12 @@ void print_droplet(const std::string& file) {
     for (const CurvatureMap& map : {closed_form_map(3), shipped_curvature_map(3)}) {
         SurfaceTensionOptions options = shipped_options<3>();
         options.map = map;
-        options.force.particle_spacing = spacing;
         SurfaceTension<double, 3> tension(options);
         tension.step(view, snapshot.size(), UniformRadius<double>{h}, OpenMpLoop{});
         Spread curvature;
         const auto& surface = tension.surface();
         for (std::size_t slot = 0; slot < surface.size(); ++slot)
-            curvature.add(surface.curvature[slot], surface.weight[slot]);
+            curvature.add(h * surface.curvature[slot], surface.weight[slot]);
         fmt::print(" {:.4f} +- {:.3f} |", curvature.mean(), curvature.deviation());
     }
     fmt::print("\n");

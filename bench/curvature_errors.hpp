@@ -73,7 +73,6 @@ struct KnownCloud {
     void add_errors(const std::vector<CurvatureMap>& maps, std::size_t samples, const Loop& loop,
                     Spread* errors) const {
         SurfaceTensionOptions options = shipped_options<Dimension>();
-        options.force.particle_spacing = cloud.spacing;
         if (samples == 0)
             options.exposure.method = CoverageMethod::exact;
         else
@@ -86,8 +85,9 @@ struct KnownCloud {
         auto surface = tension.surface();
         std::vector<double> memory;
         for (const CurvatureMap& map : maps) {
-            find_mapped_curvature<double, Dimension>(map, options.exposure.radius_ratio, loop,
-                                                     surface, memory);
+            find_mapped_curvature<double, Dimension>(map, options.exposure.radius_ratio,
+                                                     UniformRadius<double>{1}, loop, surface,
+                                                     memory);
             for (std::size_t slot = 0; slot < surface.size(); ++slot) {
                 const std::size_t i = surface.particle[slot];
                 if (cloud.trusted[i] != 0 && surface.weight[slot] > 0)

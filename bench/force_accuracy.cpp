@@ -74,7 +74,7 @@ Fluid real_state(const std::string& file) {
 SurfaceTensionOptions options_with(const Fluid& fluid, std::size_t samples) {
     auto options = shipped_options<3>();
     options.force.surface_tension = sigma;
-    options.force.particle_spacing = fluid.spacing;
+    options.force.spacing_ratio = fluid.support_radius / fluid.spacing;
     if (samples == 0)
         options.exposure.method = CoverageMethod::exact;
     else
@@ -177,13 +177,13 @@ void print_fade(const std::vector<std::string>& files) {
     for (const Fluid& fluid : fluids)
         for (const bool paper : {true, false}) {
             double unfaded = 0;
-            for (const double fade : {0.0, 0.01, 0.03, 0.06, 0.09}) {
+            for (const double fade : {0.0, 0.1, 1.0 / 3, 2.0 / 3, 1.0}) {
                 auto options = whole_surface(fluid, paper);
                 options.exposure.fade = fade;
                 const ForceShares shares = shares_of(stepped(fluid, options).surface());
                 if (fade == 0)
                     unfaded = shares.total;
-                fmt::print("| {} | {} | {:g} | {:.1f} % | {:.1f} % | {:.3f} |\n", fluid.name,
+                fmt::print("| {} | {} | {:.2g} | {:.1f} % | {:.1f} % | {:.3f} |\n", fluid.name,
                            paper ? "paper" : "calibrated", fade, 100 * shares.pinholes,
                            100 * shares.hollow, shares.total / unfaded);
             }

@@ -47,10 +47,8 @@ struct Fluid {
     [[nodiscard]] UniformRadius<float> radii() const { return {support_radius}; }
 };
 
-SurfaceTensionOptions options_for(const Fluid& fluid, const SurfaceTensionOptions& from) {
-    SurfaceTensionOptions options = from;
+SurfaceTensionOptions with_samples(SurfaceTensionOptions options) {
     options.samples = samples;
-    options.force.particle_spacing = static_cast<double>(fluid.support_radius) / 2;
     return options;
 }
 
@@ -65,7 +63,7 @@ struct Stages {
     std::vector<std::array<float, 3>> normals_before;
     std::vector<float> curvatures_before;
 
-    explicit Stages(const Fluid& of) : fluid(of), options(options_for(of, shipped_options<3>())) {
+    explicit Stages(const Fluid& of) : fluid(of), options(with_samples(shipped_options<3>())) {
         fill_outward_directions<3>(samples, 0, directions);
         candidates(SerialLoop{});
         exposure({}, SerialLoop{});
@@ -90,7 +88,8 @@ struct Stages {
     }
     template <class Loop>
     void curvature(const Loop& loop) {
-        find_mapped_curvature<float, 3>(options.map, 0.8, loop, list, curvatures_before);
+        find_mapped_curvature<float, 3>(options.map, 0.8, fluid.radii(), loop, list,
+                                        curvatures_before);
     }
     template <class Loop>
     void force(const Loop& loop) {
@@ -191,8 +190,8 @@ void measure(const std::string& file) {
     ExactCoverage exact;
     std::vector<BeckerRow> rows(2);
     std::vector<std::array<float, 3>> becker;
-    SurfaceTension<float, 3> ours(options_for(fluid, shipped_options<3>()));
-    SurfaceTension<float, 3> paper(options_for(fluid, paper_options()));
+    SurfaceTension<float, 3> ours(with_samples(shipped_options<3>()));
+    SurfaceTension<float, 3> paper(with_samples(paper_options()));
     benchmark::ClearRegisteredBenchmarks();
     const auto add_for = [&](const auto& loop) {
         add_stages(stages, loop);

@@ -47,7 +47,7 @@ struct DenseClouds {
 struct Calibration {
     int dimension = 3;
     double radius_ratio = 0.8;
-    double fade = 0.03;         ///< exposure_weight
+    double fade = 1.0 / 3;      ///< exposure_weight
     double tau = 0.5;           ///< of smooth_normals
     int normal_passes = 1;      ///< of smooth_normals
     bool averaged = true;       ///< CurvatureMap::averaged

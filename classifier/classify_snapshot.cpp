@@ -122,24 +122,6 @@ Predictions predict_as(const Model& model, const Snapshot& snapshot,
                                    : predict_as<Real, 3>(model, snapshot, neighborhoods);
 }
 
-/// The boundary particles around each valid particle, in compressed rows.
-NeighborLists find_boundary(const Snapshot& snapshot, const SupportRadii& radii,
-                            const std::vector<std::uint8_t>& valid, int threads) {
-    check_boundary(snapshot);
-    const NeighborGrid grid(snapshot.boundary, radii.smallest, {}, threads);
-    NeighborLists lists{{0}, {}};
-    FoundNeighbors found;
-    for (std::size_t i = 0; i < snapshot.size(); ++i) {
-        found.clear();
-        if (valid[i] != 0)
-            grid.find_around(snapshot.positions[i], radii.of(i), found);
-        lists.neighbors.insert(lists.neighbors.end(), found.particles.begin(),
-                               found.particles.end());
-        lists.offsets.push_back(lists.neighbors.size());
-    }
-    return lists;
-}
-
 /// Typical neighbor count of the particles taken for interior ones.
 std::optional<double> interior_neighbor_count(const Classes& classes) {
     std::vector<double> counts;
@@ -153,6 +135,25 @@ std::optional<double> interior_neighbor_count(const Classes& classes) {
 
 } // namespace
 
+NeighborLists find_boundary_neighbors(const Snapshot& snapshot, const SupportRadii& radii,
+                                      const std::vector<std::uint8_t>& valid, int threads) {
+    NeighborLists lists{{0}, {}};
+    if (snapshot.boundary.empty())
+        return lists;
+    check_boundary(snapshot);
+    const NeighborGrid grid(snapshot.boundary, radii.smallest, {}, threads);
+    FoundNeighbors found;
+    for (std::size_t i = 0; i < snapshot.size(); ++i) {
+        found.clear();
+        if (valid[i] != 0)
+            grid.find_around(snapshot.positions[i], radii.of(i), found);
+        lists.neighbors.insert(lists.neighbors.end(), found.particles.begin(),
+                               found.particles.end());
+        lists.offsets.push_back(lists.neighbors.size());
+    }
+    return lists;
+}
+
 Neighborhoods find_neighborhoods(const Snapshot& snapshot, const SupportRadii& radii,
                                  const std::vector<std::uint8_t>& valid, bool boundary_counts,
                                  int threads) {
@@ -164,7 +165,7 @@ Neighborhoods find_neighborhoods(const Snapshot& snapshot, const SupportRadii& r
     result.lists = find_neighbors(snapshot.positions, radii,
                                   {&valid, phases.empty() ? nullptr : &phases}, threads);
     if (boundary_counts && !snapshot.boundary.empty()) {
-        result.boundary_lists = find_boundary(snapshot, radii, valid, threads);
+        result.boundary_lists = find_boundary_neighbors(snapshot, radii, valid, threads);
         result.boundary_mass = radii.vary() ? 0 : mean_mass(result.masses, valid);
     }
     return result;
@@ -182,10 +183,9 @@ Classes classify_snapshot(const Snapshot& snapshot, const Model& model,
     const SupportRadii radii = support_radii(snapshot);
     Classes classes;
     classes.valid = checked_positions(snapshot, options.skip_invalid);
-    auto predictions = predict(
-        model, snapshot,
-        find_neighborhoods(snapshot, radii, classes.valid, model.boundary_counts, options.threads),
-        Precision::float64);
+    classes.neighborhoods =
+        find_neighborhoods(snapshot, radii, classes.valid, model.boundary_counts, options.threads);
+    auto predictions = predict(model, snapshot, classes.neighborhoods, Precision::float64);
     classes.surface = std::move(predictions.surface);
     classes.neighbor_count = std::move(predictions.neighbor_count);
     for (std::size_t i = 0; i < classes.surface.size(); ++i)

@@ -24,6 +24,12 @@ struct Neighborhoods {
     std::vector<std::uint8_t> valid;
 };
 
+/// The boundary particles closer than its support radius to each particle whose `valid` is not 0,
+/// in compressed rows; empty where there is no boundary. Throws InputError where the boundary
+/// cannot be used, or the neighbor search refuses.
+NeighborLists find_boundary_neighbors(const Snapshot& snapshot, const SupportRadii& radii,
+                                      const std::vector<std::uint8_t>& valid, int threads);
+
 /// The neighborhoods of the particles whose `valid` is not 0: a `phase` array keeps phases apart, a
 /// `mass` array weights the features. With `boundary_counts` the snapshot's boundary particles are
 /// neighbors too, whatever the phase; where radii vary, each with radius and mass of the particle
@@ -56,6 +62,7 @@ struct Classes {
     std::vector<std::uint8_t> valid;    ///< 0 where left out
     std::vector<double> neighbor_count; ///< feature y; whole where radii do not vary
     std::vector<std::string> warnings;  ///< one line each, for standard error
+    Neighborhoods neighborhoods;        ///< that the classes were found over
 };
 
 /// Classifies a snapshot in double. Its boundary particles count where the model says that they do;

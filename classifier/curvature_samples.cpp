@@ -73,13 +73,13 @@ surface_of(const Positions& positions, const std::vector<std::uint8_t>& is_candi
                                            directions);
     const SerialLoop loop;
     ExposureMemory memory;
-    find_exposure<double, Dimension>(lists.view<Dimension>(), NoBoundary{},
-                                     UniformRadius<double>{1}, nullptr, directions, HeldCells(),
-                                     options, loop, &memory, list);
+    const UniformRadius<double> radii{1};
+    find_exposure<double, Dimension>(lists.view<Dimension>(), NoBoundary{}, radii, nullptr,
+                                     directions, HeldCells(), options, loop, &memory, list);
     std::vector<std::array<double, Dimension>> before;
     for (int pass = 0; pass < calibration.normal_passes; ++pass)
         smooth_normals<double, Dimension>(calibration.tau, loop, list, before);
-    find_curvature<double, Dimension>(calibration.radius_ratio, loop, list);
+    find_curvature<double, Dimension>(calibration.radius_ratio, radii, loop, list);
     return list;
 }
 

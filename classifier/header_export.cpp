@@ -216,7 +216,9 @@ std::string struct_text(const CurvatureModel& model, const std::string& struct_n
            "    /// Over the surface particles around\n    static constexpr bool averaged = " +
            (model.map.averaged ? "true" : "false") + ";\n" +
            constant("radius_ratio", model.radius_ratio, "r2 / r1 in training") +
-           constant("fade", model.fade, "Exposure at which a particle weighs 1, in training") +
+           constant(
+               "fade", model.fade,
+               "Exposure at which a particle weighs 1, over that on a flat surface, in training") +
            constant("tau", model.tau, "Share of the neighbors in smoothing, in training") +
            "    /// Smoothing passes of the normals, in training\n"
            "    static constexpr int normal_passes = " +

@@ -12,6 +12,7 @@ foreach(folder runtime data labeler)
         PATTERN "legacy_vtk_numbers.hpp" EXCLUDE)
 endforeach()
 install(FILES ${PROJECT_BINARY_DIR}/include/meniscus/version.hpp
+    ${PROJECT_SOURCE_DIR}/c_interface/meniscus.h
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/meniscus)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/samples/
     DESTINATION ${CMAKE_INSTALL_DATADIR}/meniscus/samples FILES_MATCHING PATTERN "*.vtkhdf")
@@ -21,7 +22,10 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/configs/curvature/
     DESTINATION ${CMAKE_INSTALL_DATADIR}/meniscus/curvature FILES_MATCHING PATTERN "*.json")
 
 install(TARGETS meniscus_runtime meniscus_neighbor_search meniscus_data meniscus_labeler
-    EXPORT meniscus_targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    meniscus_c
+    EXPORT meniscus_targets
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(EXPORT meniscus_targets FILE meniscusTargets.cmake NAMESPACE meniscus::
     DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/meniscus)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/meniscusConfig.cmake.in
@@ -32,3 +36,10 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/meniscusConfigVersion.cma
 install(FILES ${PROJECT_BINARY_DIR}/meniscusConfig.cmake
     ${PROJECT_BINARY_DIR}/meniscusConfigVersion.cmake
     DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/meniscus)
+
+# For builds that know neither CMake nor C++.
+file(RELATIVE_PATH MENISCUS_PREFIX_FROM_PKGCONFIG
+    ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+configure_file(${PROJECT_SOURCE_DIR}/cmake/meniscus.pc.in ${PROJECT_BINARY_DIR}/meniscus.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/meniscus.pc
+    DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

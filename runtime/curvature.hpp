@@ -1,12 +1,14 @@
-// Mean curvature of the surface particles, as h kappa: without unit, positive where the fluid is
-// convex (a drop), negative in a cavity. On a dense round surface the uncovered part of a
-// particle's sphere is a cap whose size depends on the curvature alone, and the relation can be
-// inverted (2020 paper, eqs. 14 and 17). It rests on neighbors that cover as much as they can;
-// those of a solver cover less, and the curvature comes out too large (curvature_map.hpp corrects
-// that).
+// Mean curvature kappa of the surface particles, positive where the fluid is convex (a drop),
+// negative in a cavity. In formulas it stands as h kappa, without unit; in the list in 1/m. On a
+// dense round surface the uncovered part of a particle's sphere is a cap whose size depends on the
+// curvature alone, and the relation can be inverted (2020 paper, eqs. 14 and 17). It rests on
+// neighbors that cover as much as they can; those of a solver cover less, and the curvature comes
+// out too large (curvature_map.hpp corrects that).
 #pragma once
 
 #include "normals.hpp"
+
+#include <limits>
 
 namespace meniscus {
 inline namespace MENISCUS_INSTRUCTION_SET {
@@ -32,16 +34,18 @@ double curvature_of(double lambda, double radius_ratio) {
 }
 
 /// Sets the curvature of each surface particle from its lambda; 0 where covered.
-template <class Real, int Dimension, class Loop>
-void find_curvature(double radius_ratio, const Loop& loop,
+template <class Real, int Dimension, class Radii, class Loop>
+void find_curvature(double radius_ratio, const Radii& radii, const Loop& loop,
                     SurfaceParticles<Real, Dimension>& list) {
     loop(list.size(), [&](std::size_t begin, std::size_t end, int /*worker*/) {
-        for (std::size_t slot = begin; slot < end; ++slot)
+        for (std::size_t slot = begin; slot < end; ++slot) {
+            const double curvature = curvature_of<Dimension>(
+                static_cast<double>(list.uncovered_fraction[slot]), radius_ratio);
             list.curvature[slot] =
                 list.surface_class[slot] == SurfaceClass::surface
-                    ? static_cast<Real>(curvature_of<Dimension>(
-                          static_cast<double>(list.uncovered_fraction[slot]), radius_ratio))
+                    ? static_cast<Real>(curvature) / radii.of(list.particle[slot])
                     : 0;
+        }
     });
 }
 
@@ -76,7 +80,7 @@ void smooth_curvature(double tau, const Loop& loop, SurfaceParticles<Real, Dimen
 /// where the host sorts its particles, it calls reorder().
 template <class Real>
 struct TemporalCurvature {
-    std::vector<Real> curvature; ///< h kappa, one entry a particle, or was_not_surface
+    std::vector<Real> curvature; ///< kappa in 1/m, one entry a particle, or was_not_surface
     std::vector<Real> moved;     ///< working memory
 
     /// Blends each surface particle's curvature with that of the last step: `share` in [0, 1) of
@@ -108,9 +112,8 @@ struct TemporalCurvature {
         moved.swap(curvature);
     }
 
-    /// Far beyond any curvature, which lies between -2 and 4; a number, since -ffast-math knows no
-    /// NaN.
-    static constexpr Real was_not_surface = 1e30F;
+    /// Beyond any curvature; a number, since -ffast-math knows no NaN.
+    static constexpr Real was_not_surface = std::numeric_limits<Real>::max();
 };
 
 } // namespace MENISCUS_INSTRUCTION_SET

@@ -5,34 +5,34 @@
 // There the mean error of h kappa (the largest of all groups) and its deviation are:
 //   paraboloid, h/R 0 to 0.2: off by at most 0.012, +- 0.029
 //   outside of paraboloid, h/R 0.02 to 0.05: off by at most 0.012, +- 0.027
-//   sphere, h/R 0.1 to 0.6: off by at most 0.038, +- 0.025
+//   sphere, h/R 0.1 to 0.6: off by at most 0.038, +- 0.024
 //   outside of sphere, h/R 0.1 to 0.6: off by at most 0.047, +- 0.031
-//   cylinder, h/R 0.2 to 0.6: off by at most 0.027, +- 0.026
+//   cylinder, h/R 0.2 to 0.6: off by at most 0.026, +- 0.026
 //   outside of cylinder, h/R 0.2 to 0.6: off by at most 0.028, +- 0.031
 //   ellipsoid, h/R 0.4: off by at most 0.016, +- 0.044
 //   outside of ellipsoid, h/R 0.4: off by at most 0.022, +- 0.042
 //   torus, h/R 0.5: off by at most 0.02, +- 0.028
 //   outside of torus, h/R 0.5: off by at most 0.017, +- 0.032
 // clang-format off
-#ifndef MENISCUS_COEFFICIENTS_E346B5D14282829A
-#define MENISCUS_COEFFICIENTS_E346B5D14282829A
+#ifndef MENISCUS_COEFFICIENTS_57481EC4C621277F
+#define MENISCUS_COEFFICIENTS_57481EC4C621277F
 
 namespace meniscus {
 
 struct CurvatureCoefficients {
     static constexpr int dimension = 3;
     /// Of 1, the turning of normals, its square, and the closed form
-    static constexpr double coefficients[] = {0.0, 1.06004, -0.230399, 0.0};
+    static constexpr double coefficients[] = {0.0, 1.05981, -0.230221, 0.0};
     /// Turning in training; beyond, straight on
-    static constexpr double least = -0.54388;
+    static constexpr double least = -0.543853;
     /// Turning in training; beyond, straight on
-    static constexpr double largest = 0.7181;
+    static constexpr double largest = 0.717936;
     /// Over the surface particles around
     static constexpr bool averaged = true;
     /// r2 / r1 in training
     static constexpr double radius_ratio = 0.8;
-    /// Exposure at which a particle weighs 1, in training
-    static constexpr double fade = 0.03;
+    /// Exposure at which a particle weighs 1, over that on a flat surface, in training
+    static constexpr double fade = 0.3333333333333333;
     /// Share of the neighbors in smoothing, in training
     static constexpr double tau = 0.5;
     /// Smoothing passes of the normals, in training

@@ -96,20 +96,22 @@ MENISCUS_INLINE Real surface_average(const SurfaceParticles<Real, Dimension>& li
     return weights > 0 ? sum / weights : 0;
 }
 
-/// Sets the turning of the normals at each surface particle, for those who want no map.
-template <class Real, int Dimension, class Loop>
-void find_turning(const Loop& loop, SurfaceParticles<Real, Dimension>& list) {
+/// Sets the turning of the normals at each surface particle, in 1/m, for those who want no map.
+template <class Real, int Dimension, class Radii, class Loop>
+void find_turning(const Radii& radii, const Loop& loop, SurfaceParticles<Real, Dimension>& list) {
     loop(list.size(), [&](std::size_t begin, std::size_t end, int /*worker*/) {
         for (std::size_t slot = begin; slot < end; ++slot)
-            list.turning[slot] = static_cast<Real>(turning_around(list, slot).mean);
+            list.turning[slot] =
+                static_cast<Real>(turning_around(list, slot).mean) / radii.of(list.particle[slot]);
     });
 }
 
 /// Sets turning and curvature of each surface particle by the map; 0 where covered. No curvature
 /// exceeds the largest of the closed form. `mapped` is working memory.
-template <class Real, int Dimension, class Loop>
-void find_mapped_curvature(const CurvatureMap& map, double radius_ratio, const Loop& loop,
-                           SurfaceParticles<Real, Dimension>& list, std::vector<Real>& mapped) {
+template <class Real, int Dimension, class Radii, class Loop>
+void find_mapped_curvature(const CurvatureMap& map, double radius_ratio, const Radii& radii,
+                           const Loop& loop, SurfaceParticles<Real, Dimension>& list,
+                           std::vector<Real>& mapped) {
     const double most = 2 / std::sqrt(1 - radius_ratio * radius_ratio);
     const auto is_surface = [&](std::size_t slot) {
         return list.surface_class[slot] == SurfaceClass::surface;
@@ -118,13 +120,14 @@ void find_mapped_curvature(const CurvatureMap& map, double radius_ratio, const L
     loop(list.size(), [&](std::size_t begin, std::size_t end, int /*worker*/) {
         for (std::size_t slot = begin; slot < end; ++slot) {
             const Turning turning = turning_around(list, slot);
-            list.turning[slot] = static_cast<Real>(turning.mean);
             const auto lambda = static_cast<double>(list.uncovered_fraction[slot]);
             const double closed_form = map.coefficients[3] != 0 && is_surface(slot)
                                            ? curvature_of<Dimension>(lambda, radius_ratio)
                                            : 0;
             const double curvature = curvature_of(map, turning, closed_form);
-            mapped[slot] = static_cast<Real>(smaller(larger(curvature, -most), most));
+            const Real radius = radii.of(list.particle[slot]);
+            list.turning[slot] = static_cast<Real>(turning.mean) / radius;
+            mapped[slot] = static_cast<Real>(smaller(larger(curvature, -most), most)) / radius;
         }
     });
     loop(list.size(), [&](std::size_t begin, std::size_t end, int /*worker*/) {

@@ -99,5 +99,21 @@ template <class Real, int Dimension, int Stride = Dimension, class Offset = std:
           class Index = std::uint32_t>
 struct ExactCsrNeighborhood : CsrNeighborhood<Real, Dimension, Stride, Offset, Index> {};
 
+/// A view of a fluid of several phases that delivers neighbors of the same phase only: each phase
+/// then has a surface of its own where it meets another. `phases` holds one number a particle.
+template <class View, class Phase>
+struct SamePhase {
+    View view;
+    const Phase* phases;
+
+    template <class Visit>
+    void operator()(std::size_t i, Visit&& visit) const {
+        view(i, [&](std::size_t j, const auto& displacement, auto mass) {
+            if (phases[j] == phases[i])
+                visit(j, displacement, mass);
+        });
+    }
+};
+
 } // namespace MENISCUS_INSTRUCTION_SET
 } // namespace meniscus

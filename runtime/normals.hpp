@@ -101,42 +101,50 @@ Vector3 minor_eigenvector(std::array<std::array<double, Dimension>, Dimension> m
     return vectors[least];
 }
 
-/// Weighted covariance of the surface particles around a slot, itself included (eq. 7).
+/// How many surface particles are around the one in a slot.
+template <class Real, int Dimension>
+int surface_neighbors(const SurfaceParticles<Real, Dimension>& list, std::size_t slot) {
+    const auto* pair = list.pairs.data() + list.pairs_begin[slot];
+    int count = 0;
+    for (const auto* last = pair + list.pairs_count[slot]; pair != last; ++pair)
+        count += list.weight[pair->slot] > 0 ? 1 : 0;
+    return count;
+}
+
+/// The direction in which the surface particles around a slot, itself included, spread least: minor
+/// eigenvector of their weighted covariance (eq. 7). Each counts by its own weight, since pinholes
+/// below the outermost layer do not lie on the surface.
 template <class Real, int Dimension>
 Vector3 flattest_direction(const SurfaceParticles<Real, Dimension>& list, std::size_t slot) {
+    using Step = std::array<double, Dimension>;
     const auto* first = list.pairs.data() + list.pairs_begin[slot];
     const auto* last = first + list.pairs_count[slot];
-    const auto is_surface = [&](const auto& pair) {
-        return list.surface_class[pair.slot] == SurfaceClass::surface;
-    };
-    std::array<double, Dimension> center = {};
-    double count = 1;
-    for (const auto* pair = first; pair != last; ++pair)
-        if (is_surface(*pair)) {
-            for (int axis = 0; axis < Dimension; ++axis)
-                center[axis] += static_cast<double>(pair->step[axis]);
-            ++count;
-        }
-    for (double& coordinate : center)
-        coordinate /= count;
-    std::array<std::array<double, Dimension>, Dimension> covariance = {};
-    const auto add = [&](const std::array<double, Dimension>& step) {
-        std::array<double, Dimension> v;
-        for (int axis = 0; axis < Dimension; ++axis)
-            v[axis] = step[axis] - center[axis];
-        const double weight = cubic_spline(std::sqrt(product<double, Dimension>(v, v)));
-        for (int a = 0; a < Dimension; ++a)
-            for (int b = 0; b < Dimension; ++b)
-                covariance[a][b] += weight * v[a] * v[b];
-    };
-    add({});
-    for (const auto* pair = first; pair != last; ++pair)
-        if (is_surface(*pair)) {
-            std::array<double, Dimension> step;
+    const auto for_each = [&](const auto& visit) {
+        visit(Step{}, static_cast<double>(list.weight[slot]));
+        for (const auto* pair = first; pair != last; ++pair) {
+            Step step;
             for (int axis = 0; axis < Dimension; ++axis)
                 step[axis] = static_cast<double>(pair->step[axis]);
-            add(step);
+            visit(step, static_cast<double>(list.weight[pair->slot]));
         }
+    };
+    Step center = {};
+    double weights = 0;
+    for_each([&](const Step& step, double weight) {
+        for (int axis = 0; axis < Dimension; ++axis)
+            center[axis] += weight * step[axis];
+        weights += weight;
+    });
+    std::array<Step, Dimension> covariance = {};
+    for_each([&](const Step& step, double weight) {
+        Step v;
+        for (int axis = 0; axis < Dimension; ++axis)
+            v[axis] = step[axis] - center[axis] / weights;
+        const double share = weight * cubic_spline(std::sqrt(product<double, Dimension>(v, v)));
+        for (int a = 0; a < Dimension; ++a)
+            for (int b = 0; b < Dimension; ++b)
+                covariance[a][b] += share * v[a] * v[b];
+    });
     return minor_eigenvector<Dimension>(covariance);
 }
 
@@ -150,8 +158,8 @@ void mix_in_covariance_normals(double share, const Loop& loop,
                                SurfaceParticles<Real, Dimension>& list) {
     loop(list.size(), [&](std::size_t begin, std::size_t end, int /*worker*/) {
         for (std::size_t slot = begin; slot < end; ++slot) {
-            if (list.pairs_count[slot] < Dimension ||
-                !(list.exposure[slot] > static_cast<Real>(least_exposure)))
+            if (!(list.exposure[slot] > static_cast<Real>(least_exposure)) ||
+                normals::surface_neighbors(list, slot) < Dimension)
                 continue;
             const Vector3 flattest = normals::flattest_direction(list, slot);
             auto& normal = list.normal[slot];

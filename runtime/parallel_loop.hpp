@@ -13,6 +13,8 @@
 #include <cstddef>
 
 #if defined(_OPENMP)
+#include <atomic>
+#include <exception>
 #include <omp.h>
 #endif
 
@@ -33,7 +35,8 @@ struct SerialLoop {
 #if defined(_OPENMP)
 
 /// Chunks of a few hundred particles, taken by whichever thread is free: surface particles cost far
-/// more than others and lie together.
+/// more than others and lie together. What a body throws is thrown on in the calling thread, and no
+/// other chunk begins after it.
 struct OpenMpLoop {
     int threads = omp_get_max_threads();
 
@@ -43,11 +46,22 @@ struct OpenMpLoop {
     void operator()(std::size_t count, Body&& body) const {
         constexpr std::size_t chunk = 256;
         const std::size_t chunks = (count + chunk - 1) / chunk;
+        std::exception_ptr thrown; // none may leave the parallel region
+        std::atomic<bool> goes_on{true};
 #pragma omp parallel for schedule(dynamic) num_threads(threads)
         for (std::size_t c = 0; c < chunks; ++c) {
             const std::size_t end = (c + 1) * chunk < count ? (c + 1) * chunk : count;
-            body(c * chunk, end, omp_get_thread_num());
+            try {
+                if (goes_on.load(std::memory_order_relaxed))
+                    body(c * chunk, end, omp_get_thread_num());
+            } catch (...) {
+                goes_on.store(false, std::memory_order_relaxed);
+#pragma omp critical(meniscus_thrown)
+                thrown = std::current_exception();
+            }
         }
+        if (thrown)
+            std::rethrow_exception(thrown);
     }
 };
 

@@ -43,7 +43,7 @@ namespace sampled_coverage {
 inline constexpr float certain_margin = 1e-4F;
 
 /// Neighbors after which it is worth a look whether a block is covered already.
-inline constexpr std::size_t neighbors_between_looks = 6;
+inline constexpr std::size_t neighbors_between_looks = 8;
 
 /// Turns the displacements into a frame, where `axis` becomes z (in 2D x).
 template <int Dimension>

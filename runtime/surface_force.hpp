@@ -32,6 +32,12 @@ inline constexpr double area_correction = 1.0125;
 template <int Dimension>
 constexpr double kernel_integral = Dimension == 2 ? 1.0 : pi / 3;
 
+/// A length to the power D - 1.
+template <int Dimension, class Real>
+MENISCUS_INLINE Real to_area(Real length) {
+    return Dimension == 2 ? length : length * length;
+}
+
 /// Part of the sheet that the particle in a slot carries, in units of h^(D - 1).
 template <class Real, int Dimension>
 MENISCUS_INLINE Real sheet_area(const SurfaceParticles<Real, Dimension>& list, std::size_t slot) {
@@ -53,7 +59,7 @@ MENISCUS_INLINE Real sheet_area(const SurfaceParticles<Real, Dimension>& list, s
 struct ForceOptions {
     ForceForm form = ForceForm::calibrated;
     double surface_tension = 0.072; ///< sigma in N/m
-    double particle_spacing = 0;    ///< m, the root of a particle's volume at rest
+    double spacing_ratio = 2;       ///< support radius over particle spacing at rest
 };
 
 /// Sets the force on each surface particle from its normal and its curvature; 0 where covered.
@@ -62,19 +68,17 @@ void find_force(const ForceOptions& options, const Radii& radii, const Loop& loo
                 SurfaceParticles<Real, Dimension>& list) {
     using namespace surface_force;
     const auto sigma = static_cast<Real>(options.surface_tension);
-    const auto spacing = static_cast<Real>(options.particle_spacing);
-    const Real face = Dimension == 2 ? spacing : spacing * spacing;
+    const auto to_spacing = static_cast<Real>(1 / options.spacing_ratio);
     loop(list.size(), [&](std::size_t begin, std::size_t end, int /*worker*/) {
         for (std::size_t slot = begin; slot < end; ++slot) {
             const Real radius = radii.of(list.particle[slot]);
-            const Real pressure = sigma * list.curvature[slot] / radius;
-            Real size = pressure * face * list.weight[slot];
+            const Real spacing = radius * to_spacing;
+            const Real pressure = sigma * list.curvature[slot];
+            Real size = pressure * to_area<Dimension>(spacing) * list.weight[slot];
             if (options.form == ForceForm::calibrated) {
-                const Real outside = 1 + list.turning[slot] / radius * spacing / 2;
-                const Real stretch = Dimension == 2 ? outside : outside * outside;
-                const Real area =
-                    sheet_area(list, slot) * stretch * (Dimension == 2 ? radius : radius * radius);
-                size = (Dimension - 1) * pressure * area;
+                const Real stretch = 1 + list.turning[slot] * spacing / 2;
+                size = (Dimension - 1) * pressure * sheet_area(list, slot) *
+                       to_area<Dimension>(radius * stretch);
             }
             for (int axis = 0; axis < Dimension; ++axis)
                 list.force[slot][axis] = -size * list.normal[slot][axis];

@@ -63,7 +63,7 @@ template <class Real, int Dimension>
 struct SurfacePair {
     std::uint32_t slot;               ///< of the neighbor
     Real weight;                      ///< W = 1 - |x_j - x_i| / h (2020 paper, eq. 5)
-    std::array<Real, Dimension> step; ///< (x_j - x_i) / h
+    std::array<Real, Dimension> step; ///< (x_j - x_i) / h_i
 };
 
 /// The candidates of one step, in slots 0 to size() - 1 in the order of their particles, and what
@@ -79,10 +79,10 @@ struct SurfaceParticles {
     std::vector<Real> exposure; ///< length of the integral of the direction over the uncovered part
     std::vector<Real> weight;   ///< in forces and averages, 0 to 1 (exposure_weight)
     std::vector<Vector> normal; ///< unit vector out of the fluid; zero where covered
-    std::vector<Real> turning;  ///< of the normals (curvature_map.hpp), times h
-    std::vector<Real> curvature;            ///< h kappa, mean curvature times support radius
-    std::vector<Vector> force;              ///< N
-    std::vector<std::uint32_t> pairs_begin; ///< of each slot, in `pairs`, and where the last ends
+    std::vector<Real> turning;  ///< of the normals, 1/m (curvature_map.hpp)
+    std::vector<Real> curvature;          ///< mean curvature kappa, 1/m
+    std::vector<Vector> force;            ///< N
+    std::vector<std::size_t> pairs_begin; ///< of each slot, in `pairs`, and where the last ends
     std::vector<std::uint32_t> pairs_count;
     std::vector<SurfacePair<Real, Dimension>> pairs;
 
@@ -95,12 +95,12 @@ struct SurfaceParticles {
             values->reserve(count);
         for (auto* vectors : {&normal, &force})
             vectors->reserve(count);
-        for (auto* counts : {&pairs_begin, &pairs_count})
-            counts->reserve(count + 1);
+        pairs_begin.reserve(count + 1);
+        pairs_count.reserve(count);
         pairs.reserve(pair_count + count);
     }
 
-    /// One entry a slot in everything; room for so many pairs.
+    /// One entry a slot in everything; so many entries for pairs.
     void resize_slots(std::size_t pair_count) {
         surface_class.resize(size());
         for (auto* values : {&uncovered_fraction, &exposure, &weight, &turning, &curvature})
@@ -120,7 +120,7 @@ template <class Real, int Dimension>
 void number_candidates(SurfaceParticles<Real, Dimension>& list) {
     list.particle.clear();
     list.pairs_begin.clear();
-    std::uint32_t pairs = 0;
+    std::size_t pairs = 0;
     for (std::size_t i = 0; i < list.slot_of.size(); ++i) {
         const std::int32_t neighbors = list.slot_of[i];
         if (neighbors < 0)
@@ -128,7 +128,7 @@ void number_candidates(SurfaceParticles<Real, Dimension>& list) {
         list.slot_of[i] = static_cast<std::int32_t>(list.particle.size());
         list.particle.push_back(static_cast<std::uint32_t>(i));
         list.pairs_begin.push_back(pairs);
-        pairs += static_cast<std::uint32_t>(neighbors) + 1; // one to write to before it counts
+        pairs += static_cast<std::size_t>(neighbors) + 1; // one to write to before it counts
     }
     list.pairs_begin.push_back(pairs);
     list.resize_slots(pairs);
@@ -139,10 +139,21 @@ void number_candidates(SurfaceParticles<Real, Dimension>& list) {
 /// questions: a pinhole in the second layer is surface, but as lambda goes to 0 the closed form
 /// goes to h kappa = -2 and not to 0, and the normal is that of chance. Exposure is lambda for
 /// small openings, and vanishes as well where a thin sheet is uncovered on both sides.
-/// `fade` 0: every surface particle weighs 1, as in the 2020 paper.
-inline double exposure_weight(double exposure, double fade) {
-    return exposure < fade ? exposure / fade : 1;
+/// `full` 0: every surface particle weighs 1, as in the 2020 paper.
+inline double exposure_weight(double exposure, double full) {
+    return exposure < full ? exposure / full : 1;
 }
+
+/// Exposure of a particle on a flat, dense surface: the uncovered part is the cap whose edge lies
+/// at the height r2 / r1.
+template <int Dimension>
+double flat_exposure(double radius_ratio) {
+    const double square = 1 - radius_ratio * radius_ratio;
+    return Dimension == 2 ? std::sqrt(square) / pi : square / 4;
+}
+
+/// Neighbors of a particle for which there is always room.
+inline constexpr std::size_t usual_neighbors = 64;
 
 /// What one concurrent caller works with.
 struct ExposureMemory {
@@ -150,9 +161,9 @@ struct ExposureMemory {
     std::vector<float> hold_limits;
     ExactCoverage exact;
 
-    /// Room for so many neighbors of a particle.
+    /// Room for so many neighbors of a particle, boundary included.
     void reserve(std::size_t neighbors) {
-        caps.reserve(neighbors);
+        caps.reserve(std::max(neighbors, usual_neighbors));
         hold_limits.reserve(caps.x.size());
         exact.reserve(neighbors);
     }
@@ -163,7 +174,8 @@ struct ExposureOptions {
     double radius_ratio = 0.8; ///< r2 / r1, in (0, 1)
     CoverageMethod method = CoverageMethod::sampled;
     Verification verification = Verification::exact;
-    double fade = 0.03; ///< exposure at which a particle weighs 1; 0: always (exposure_weight)
+    /// Exposure at which a particle weighs 1, over that on a flat surface; 0: always.
+    double fade = 1.0 / 3;
 };
 
 /// How many neighbors a candidate can have on the surface; -1 where the line says interior.
@@ -218,6 +230,8 @@ void take_candidates(const std::uint8_t* candidate, const Count* neighbor_count,
 
 namespace surface_particles {
 
+inline constexpr std::size_t no_particle = ~std::size_t{0};
+
 /// The displacement in radii of the pair.
 template <class Real, int Dimension, class Displacement>
 MENISCUS_INLINE std::array<Real, Dimension> in_radii(const Displacement& displacement,
@@ -228,10 +242,28 @@ MENISCUS_INLINE std::array<Real, Dimension> in_radii(const Displacement& displac
     return step;
 }
 
+/// A step in radii of the pair (i, j), in those of i; j may be any where radii do not vary.
+template <class Real, std::size_t Dimension>
+MENISCUS_INLINE const std::array<Real, Dimension>&
+in_own_radius(const std::array<Real, Dimension>& step, const UniformRadius<Real>& /*radii*/,
+              std::size_t /*i*/, std::size_t /*j*/) {
+    return step;
+}
+
+template <class Real, std::size_t Dimension>
+MENISCUS_INLINE std::array<Real, Dimension> in_own_radius(std::array<Real, Dimension> step,
+                                                          const VaryingRadii<Real>& radii,
+                                                          std::size_t i, std::size_t j) {
+    if (j == no_particle)
+        return step;
+    const Real pair_over_own = (radii.of(i) + radii.of(j)) / (2 * radii.of(i));
+    for (Real& coordinate : step)
+        coordinate *= pair_over_own;
+    return step;
+}
+
 /// Calls visit(j, step) for what covers particle i: fluid neighbors, then boundary ones, whose j is
 /// not an index of the fluid and comes as no_particle.
-inline constexpr std::size_t no_particle = ~std::size_t{0};
-
 template <class Real, int Dimension, class View, class Boundary, class Radii, class Visit>
 MENISCUS_INLINE void visit_covering(const View& view, const Boundary& boundary, const Radii& radii,
                                     std::size_t i, const Visit& visit) {
@@ -256,11 +288,13 @@ MENISCUS_INLINE Vector3 collect(const View& view, const Boundary& boundary, cons
     const std::int32_t* const slot_of = list.slot_of.data();
     const std::size_t particles = list.slot_of.size();
     auto* const pairs = list.pairs.data() + list.pairs_begin[slot];
-    const std::uint32_t pairs_room = list.pairs_begin[slot + 1] - list.pairs_begin[slot] - 1;
+    // Features measure in m and this in radii, so rounding may find one neighbor more here; and a
+    // host's own counts are the host's. What is too much goes to the one entry beyond, uncounted.
+    const std::size_t most_pairs = list.pairs_begin[slot + 1] - list.pairs_begin[slot] - 1;
     std::uint32_t pairs_count = 0;
     Real inward[Dimension] = {};
     std::size_t count = 0;
-    caps.reserve(64);
+    caps.reserve(usual_neighbors);
     float *x = caps.x.data(), *y = caps.y.data(), *z = caps.z.data(), *limit = caps.limit.data();
     std::size_t room = caps.x.size() - wide_float_count;
     visit_covering<Real, Dimension>(
@@ -280,12 +314,14 @@ MENISCUS_INLINE Vector3 collect(const View& view, const Boundary& boundary, cons
             z[count] = Dimension == 3 ? static_cast<float>(step[Dimension - 1]) : 0.0F;
             limit[count] = 0.5F * static_cast<float>(distance_squared) + half_cosine;
             ++count;
-            // Full only where a host's count is wrong, or a distance at a limit rounds otherwise.
-            const bool has_room = pairs_count < pairs_room;
-            const std::int32_t neighbor = j < particles && has_room ? slot_of[j] : -1;
-            pairs[pairs_count] = {static_cast<std::uint32_t>(neighbor),
-                                  1 - std::sqrt(distance_squared), step};
-            pairs_count += neighbor >= 0 ? 1 : 0;
+            const std::int32_t neighbor = j < particles ? slot_of[j] : -1;
+            auto& pair = pairs[pairs_count];
+            pair.slot = static_cast<std::uint32_t>(neighbor);
+            pair.weight = 1 - std::sqrt(distance_squared);
+            const auto& own = in_own_radius(step, radii, list.particle[slot], j);
+            for (int axis = 0; axis < Dimension; ++axis)
+                pair.step[axis] = own[axis];
+            pairs_count += int{neighbor >= 0} & int{pairs_count < most_pairs};
         });
     caps.count = count;
     list.pairs_count[slot] = pairs_count;
@@ -312,13 +348,14 @@ UncoveredPart exact_part(const View& view, const Boundary& boundary, const Radii
 
 /// Notes what was found of a candidate.
 template <class Real, int Dimension>
-void note(const UncoveredPart& part, bool is_surface, double fade, std::size_t slot,
-          SurfaceParticles<Real, Dimension>& list) {
+void note(const UncoveredPart& part, bool is_surface, const ExposureOptions& options,
+          std::size_t slot, SurfaceParticles<Real, Dimension>& list) {
     list.surface_class[slot] = is_surface ? SurfaceClass::surface : SurfaceClass::covered;
     list.uncovered_fraction[slot] = is_surface ? static_cast<Real>(part.fraction) : 0;
     const double length = std::sqrt(dot(part.moment, part.moment));
     list.exposure[slot] = is_surface ? static_cast<Real>(length) : 0;
-    list.weight[slot] = is_surface ? static_cast<Real>(exposure_weight(length, fade)) : 0;
+    const double full = options.fade * flat_exposure<Dimension>(options.radius_ratio);
+    list.weight[slot] = is_surface ? static_cast<Real>(exposure_weight(length, full)) : 0;
     const double scale = is_surface && length > least_exposure ? 1 / length : 0;
     for (int axis = 0; axis < Dimension; ++axis)
         list.normal[slot][axis] = static_cast<Real>(part.moment[axis] * scale);
@@ -360,7 +397,7 @@ void find_exposure(const View& view, const Boundary& boundary, const Radii& radi
                                                    exact);
                 is_surface = part.fraction > zero_uncovered_fraction;
             }
-            note(part, is_surface, options.fade, slot, list);
+            note(part, is_surface, options, slot, list);
         }
     });
 }

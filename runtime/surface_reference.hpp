@@ -100,8 +100,7 @@ void find_exposure_reference(const View& view, const Radii& radii,
                 add_cap<Dimension>(exact.caps, step, 1, ratio);
             part = uncovered_part<Dimension>(cells, exact);
         }
-        surface_particles::note(part, part.fraction > zero_uncovered_fraction, options.fade, slot,
-                                list);
+        surface_particles::note(part, part.fraction > zero_uncovered_fraction, options, slot, list);
     }
 }
 
@@ -116,7 +115,8 @@ void visit_surface(const View& view, const Radii& radii, double radius_ratio,
         view, radii, radius_ratio, list.particle[slot], [&](std::size_t j, const auto& step) {
             if (list.slot_of[j] >= 0)
                 visit(static_cast<std::size_t>(list.slot_of[j]),
-                      1 - std::sqrt(squared_length<Real, Dimension>(step)), step);
+                      1 - std::sqrt(squared_length<Real, Dimension>(step)),
+                      surface_particles::in_own_radius(step, radii, list.particle[slot], j));
         });
 }
 
@@ -162,15 +162,16 @@ void find_force_reference(const View& view, const Radii& radii,
             }
             squares += weight * squared_length<Real, Dimension>(step);
         });
-        list.turning[slot] = squares > 0 ? along / squares : 0;
-        const Turning turning{static_cast<double>(list.turning[slot]),
+        const Turning turning{static_cast<double>(squares > 0 ? along / squares : 0),
                               static_cast<double>(squares > 0 ? turned / squares : 0)};
         const double closed_form =
             list.surface_class[slot] == SurfaceClass::surface
                 ? curvature_of<Dimension>(static_cast<double>(list.uncovered_fraction[slot]), ratio)
                 : 0;
-        mapped[slot] = static_cast<Real>(
-            std::min(std::max(curvature_of(options.map, turning, closed_form), -most), most));
+        const double curvature = curvature_of(options.map, turning, closed_form);
+        const auto radius = static_cast<double>(radii.of(list.particle[slot]));
+        list.turning[slot] = static_cast<Real>(turning.mean / radius);
+        mapped[slot] = static_cast<Real>(std::min(std::max(curvature, -most), most) / radius);
     }
     for (std::size_t slot = 0; slot < list.size(); ++slot) {
         Real weights = list.weight[slot];
@@ -181,28 +182,27 @@ void find_force_reference(const View& view, const Radii& radii,
             sum += weight * mapped[other];
         });
         const bool is_surface = list.surface_class[slot] == SurfaceClass::surface && weights > 0;
-        list.curvature[slot] = !is_surface            ? 0
-                               : options.map.averaged ? sum / weights
-                                                      : mapped[slot];
+        list.curvature[slot] = 0;
+        if (is_surface)
+            list.curvature[slot] = options.map.averaged ? sum / weights : mapped[slot];
     }
-    const auto spacing = static_cast<Real>(options.force.particle_spacing);
     for (std::size_t slot = 0; slot < list.size(); ++slot) {
         Real sum = list.weight[slot];
         around(slot, [&](std::size_t other, Real weight, const Vector& /*step*/) {
             if (product<Real, Dimension>(list.normal[slot], list.normal[other]) > 0)
                 sum += list.weight[other] * weight;
         });
-        const Real radius = radii.of(list.particle[slot]);
-        const Real outside = 1 + list.turning[slot] / radius * spacing / 2;
-        const Real side = radius * outside;
-        const Real share = sum > 0 ? list.weight[slot] / sum : 0;
-        const Real area = static_cast<Real>(surface_force::area_correction *
-                                            surface_force::kernel_integral<Dimension>) *
-                          share * (Dimension == 2 ? side : side * side);
-        const Real size = (Dimension - 1) * static_cast<Real>(options.force.surface_tension) *
-                          list.curvature[slot] / radius * area;
+        using namespace surface_force;
+        const auto radius = static_cast<double>(radii.of(list.particle[slot]));
+        const double half_spacing = radius / options.force.spacing_ratio / 2;
+        const double side = radius * (1 + static_cast<double>(list.turning[slot]) * half_spacing);
+        const double share = sum > 0 ? static_cast<double>(list.weight[slot] / sum) : 0;
+        const double area =
+            area_correction * kernel_integral<Dimension> * share * to_area<Dimension>(side);
+        const double size = (Dimension - 1) * options.force.surface_tension *
+                            static_cast<double>(list.curvature[slot]) * area;
         for (int axis = 0; axis < Dimension; ++axis)
-            list.force[slot][axis] = -size * list.normal[slot][axis];
+            list.force[slot][axis] = static_cast<Real>(-size) * list.normal[slot][axis];
     }
 }
 

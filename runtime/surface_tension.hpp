@@ -37,8 +37,9 @@ struct SurfaceTensionOptions {
     int normal_passes = 1;
     double covariance_share = 0; ///< of normals from positions (eq. 7), 0 to 1
     CurvatureForm curvature = CurvatureForm::mapped;
-    CurvatureMap map{};       ///< where it is mapped
-    int curvature_passes = 0; ///< smoothing of the curvature
+    CurvatureMap map{};         ///< where it is mapped
+    int curvature_passes = 0;   ///< smoothing of the curvature
+    double history_share = 0.5; ///< of the last step's curvature, where the host keeps a history
     ForceOptions force;
 };
 
@@ -54,8 +55,7 @@ inline SurfaceTensionOptions paper_options() {
     return options;
 }
 
-/// The project's own choices with the curvature map that ships for the dimension. The spacing of
-/// the particles is left to be set.
+/// The project's own choices with the curvature map that ships for the dimension.
 template <int Dimension>
 SurfaceTensionOptions shipped_options() {
     SurfaceTensionOptions options;
@@ -80,9 +80,11 @@ inline void check(const SurfaceTensionOptions& options, int dimension) {
     demand(options.normal_passes >= 0, "normal_passes must not be negative");
     demand(is_share(options.covariance_share), "covariance_share must be between 0 and 1");
     demand(options.curvature_passes >= 0, "curvature_passes must not be negative");
+    demand(is_share(options.history_share) && options.history_share < 1,
+           "history_share must be at least 0 and below 1");
     demand(is_finite(options.force.surface_tension), "surface_tension must be finite");
-    demand(is_positive_and_finite(options.force.particle_spacing),
-           "particle_spacing must be positive: the root of a particle's volume at rest, in m");
+    demand(is_positive_and_finite(options.force.spacing_ratio),
+           "spacing_ratio must be positive: support radius over particle spacing");
     demand(options.curvature != CurvatureForm::mapped || options.map.dimension == dimension,
            "the curvature map was trained in another dimension");
 }
@@ -96,6 +98,10 @@ public:
         check(options, Dimension);
         set_samples(options.samples);
     }
+
+    /// The host's memory of curvatures, for smoothing over time steps; nullptr: none. It outlives
+    /// the steps, and the host reorders it together with its particles.
+    TemporalCurvature<Real>* history = nullptr;
 
     /// What the last step found.
     [[nodiscard]] const SurfaceParticles<Real, Dimension>& surface() const { return list; }
@@ -210,15 +216,17 @@ private:
             smooth_normals<Real, Dimension>(settings.tau, loop, list, normals_before);
         const double ratio = settings.exposure.radius_ratio;
         if (settings.curvature == CurvatureForm::mapped) {
-            find_mapped_curvature<Real, Dimension>(settings.map, ratio, loop, list,
+            find_mapped_curvature<Real, Dimension>(settings.map, ratio, radii, loop, list,
                                                    curvatures_before);
         } else {
-            find_curvature<Real, Dimension>(ratio, loop, list);
+            find_curvature<Real, Dimension>(ratio, radii, loop, list);
             if (settings.force.form == ForceForm::calibrated)
-                find_turning<Real, Dimension>(loop, list);
+                find_turning<Real, Dimension>(radii, loop, list);
         }
         for (int pass = 0; pass < settings.curvature_passes; ++pass)
             smooth_curvature<Real, Dimension>(settings.tau, loop, list, curvatures_before);
+        if (history != nullptr)
+            history->smooth(settings.history_share, list);
         find_force<Real, Dimension>(settings.force, radii, loop, list);
     }
 

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Prints the tables of README and docs/ again from the samples, between their "begin" and "end"
-# comments, and draws the plots. Takes some minutes, curvature half an hour; speed wants an otherwise idle machine, sampling
-# Debian's python3-matplotlib.
-# Usage: scripts/update_docs.sh [accuracy|speed|sampling|force|surface-speed|curvature]   (default: all)
+# comments, and draws the plots. Takes some minutes, curvature half an hour; speed wants an otherwise
+# idle machine, sampling and normals Debian's python3-matplotlib.
+# Usage: scripts/update_docs.sh [TABLES]   (default: all)
+# TABLES: accuracy, speed, sampling, force, surface-speed, normals or curvature
 set -euo pipefail
 cd "$(dirname "$0")/.."
 bin=build/release/bin
@@ -57,6 +58,15 @@ if wanted surface-speed; then
         "$bin/$build" data/samples/{dam_dfsph_14,crown_dfsph_15}.vtkhdf 2>/dev/null |
             replace docs/surface_tension.md "${build//_/-}"
     done
+fi
+if wanted normals; then
+    for table in circle schemes smoothing; do
+        "$bin/normal_accuracy" "$table" | replace docs/normals.md "$table"
+    done
+    "$bin/normal_accuracy" time "$work/normals.json" | replace docs/normals.md time
+    scripts/plot_normals.py "$work/normals.json" docs/plots
+    "$bin/normal_accuracy" ratio data/samples/droplet_iisph_14.vtkhdf |
+        replace docs/normals.md ratio
 fi
 if wanted curvature; then
     "$bin/curvature_accuracy" ablation configs/curvature/solver_like_3d.json |

@@ -6,7 +6,11 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <map>
+#include <numeric>
+#include <set>
 
 namespace meniscus {
 namespace {
@@ -19,6 +23,15 @@ protected:
         by_hand.line = {60, 20};
         by_hand.objective = "by hand";
         write("model.json", model_to_json(by_hand));
+    }
+
+    /// Classifies, without a word, and reads what was written.
+    [[nodiscard]] Snapshot classified(const Path& input, const Words& options = {}) const {
+        std::filesystem::remove_all(out);
+        EXPECT_EQ(
+            succeed(Words{"classify", input, "--model", model, "-o", out, "--quiet"} + options),
+            "");
+        return read_vtkhdf(out / input.stem().concat(".vtkhdf"));
     }
 
     const Path model = folder / "model.json";
@@ -73,7 +86,7 @@ TEST_F(Classify, SameBytesWhateverTheThreads) {
     for (const char* threads : {"1", "1", "2", "8"}) {
         std::filesystem::remove_all(out);
         EXPECT_EQ(succeed({"classify", sample("cube_iisph_05"), "--model", model, "-o", out,
-                           "--threads", threads, "--quiet"}),
+                           "--threads", threads, "--balance-momentum", "--quiet"}),
                   "");
         const std::string bytes = bytes_of(out / "cube_iisph_05.vtkhdf");
         if (first.empty())
@@ -121,6 +134,349 @@ TEST_F(Classify, NoParticlesAndOne) {
     succeed({"classify", save(snapshot, "one.vtkhdf"), "--model", model, "-o", out});
     EXPECT_EQ(scalar_values(read_vtkhdf(out / "one.vtkhdf"), "predicted_surface"),
               std::vector<double>{1});
+}
+
+/// Three values a particle.
+std::vector<std::array<double, 3>> vectors(const Snapshot& snapshot, const char* name) {
+    const auto values = as_doubles(*find_array(snapshot, name));
+    std::vector<std::array<double, 3>> all(snapshot.size());
+    for (std::size_t i = 0; i < values.size(); ++i)
+        all[i / 3][i % 3] = values[i];
+    return all;
+}
+
+double product(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+    return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+}
+
+const char* const arrays_of_runtime[] = {"surface_class", "runtime_uncovered_fraction",
+                                         "runtime_normal", "runtime_curvature", "runtime_force"};
+
+/// True where the runtime wrote the same.
+bool same_surface(const Snapshot& a, const Snapshot& b) {
+    return std::all_of(std::begin(arrays_of_runtime), std::end(arrays_of_runtime),
+                       [&](const char* name) {
+                           return find_array(a, name)->values == find_array(b, name)->values;
+                       });
+}
+
+/// With samples or without, the surface is that of the exact labels, as far as the line lets it
+/// through.
+TEST_F(Classify, SurfaceIsThatOfTheLabels) {
+    const Path input = sample("dam_dfsph_08");
+    succeed({"label", input, "-o", folder / "labelled", "--quiet"});
+    const Snapshot labelled = read_vtkhdf(folder / "labelled" / input.filename());
+    const auto surface = scalar_values(labelled, "surface");
+    const auto lambda = scalar_values(labelled, "uncovered_fraction");
+    const Snapshot sampled = classified(input);
+    const Snapshot exact = classified(input, {"--exact"});
+    const auto line = scalar_values(sampled, "predicted_surface");
+    const auto class_of = scalar_values(sampled, "surface_class");
+    const auto exact_lambda = scalar_values(exact, "runtime_uncovered_fraction");
+    EXPECT_EQ(scalar_values(exact, "surface_class"), class_of);
+    EXPECT_EQ(std::set<double>(class_of.begin(), class_of.end()), (std::set<double>{0, 1, 2}));
+    for (std::size_t i = 0; i < sampled.size(); ++i) {
+        ASSERT_EQ(class_of[i], line[i] == 0 ? 0 : 1 + surface[i]) << i;
+        ASSERT_NEAR(exact_lambda[i], line[i] * lambda[i], 1e-9) << i;
+    }
+}
+
+TEST_F(Classify, NormalsCurvaturesAndForces) {
+    const Snapshot found = classified(sample("droplet_iisph_04"));
+    const auto class_of = scalar_values(found, "surface_class");
+    const auto curvature = scalar_values(found, "runtime_curvature");
+    const auto normals = vectors(found, "runtime_normal");
+    const auto forces = vectors(found, "runtime_force");
+    std::size_t exposed = 0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const double length = std::sqrt(product(normals[i], normals[i]));
+        EXPECT_TRUE(length == 0 || std::fabs(length - 1) < 1e-12) << i;
+        exposed += length > 0 ? 1 : 0;
+        EXPECT_EQ(length > 0, class_of[i] == 2) << i;
+        // Along the normal, inwards where the fluid is convex.
+        EXPECT_NEAR(product(forces[i], normals[i]),
+                    -std::copysign(std::sqrt(product(forces[i], forces[i])), curvature[i]), 1e-15);
+        EXPECT_TRUE(class_of[i] == 2 || curvature[i] == 0) << i;
+    }
+    EXPECT_GT(exposed, 2000U);
+    EXPECT_EQ(find_array(found, "surface"), nullptr); // names of labels stay theirs
+    EXPECT_EQ(find_array(found, "uncovered_fraction"), nullptr);
+}
+
+TEST_F(Classify, ForcesGrowWithSurfaceTensionAndBalance) {
+    const Path input = sample("droplet_iisph_04");
+    const auto usual = vectors(classified(input), "runtime_force");
+    const auto tenfold = vectors(classified(input, {"--surface-tension", "0.72"}), "runtime_force");
+    const auto balanced = vectors(classified(input, {"--balance-momentum"}), "runtime_force");
+    std::array<double, 3> sum{};
+    std::array<double, 3> balanced_sum{};
+    double sizes = 0;
+    for (std::size_t i = 0; i < usual.size(); ++i)
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            EXPECT_NEAR(tenfold[i][axis], 10 * usual[i][axis], 1e-12 * std::fabs(tenfold[i][axis]));
+            sum[axis] += usual[i][axis];
+            balanced_sum[axis] += balanced[i][axis];
+            sizes += std::fabs(usual[i][axis]);
+        }
+    EXPECT_GT(std::sqrt(product(sum, sum)), 1e-6 * sizes);
+    EXPECT_LT(std::sqrt(product(balanced_sum, balanced_sum)), 1e-12 * sizes);
+}
+
+/// Each option changes what is written, and provenance says so.
+TEST_F(Classify, OptionsOfTheRuntime) {
+    const Path input = sample("droplet_iisph_14");
+    const Snapshot usual = classified(input);
+    const std::map<std::string, std::string> expected = {
+        {"runtime_coverage", "sampled"},
+        {"runtime_samples", "128"},
+        {"runtime_seed", "0"},
+        {"runtime_candidates_without_open_sample", "decided exactly"},
+        {"runtime_fade", "0.3333333333333333"},
+        {"runtime_normal_passes", "1"},
+        {"runtime_tau", "0.5"},
+        {"runtime_pca_share", "0"},
+        {"runtime_curvature", "mapped"},
+        {"runtime_curvature_passes", "0"},
+        {"runtime_force", "calibrated"},
+        {"runtime_surface_tension", "0.072"},
+        {"runtime_momentum", "as it is"},
+    };
+    for (const auto& [name, text] : expected)
+        EXPECT_EQ(usual.provenance.at(name), text) << name;
+    struct Case {
+        Words options;
+        std::string name, text;
+    };
+    const std::vector<Case> cases = {
+        {{"--samples", "32"}, "samples", "32"},
+        {{"--exact"}, "coverage", "exact"},
+        {{"--time-step", "0.002", "--sampling-density", "100000"}, "samples", "200"},
+        {{"--time-step", "1e-9", "--sampling-density", "100000"}, "samples", "16"},
+        {{"--time-step", "1e-9", "--sampling-density", "1e5", "--samples", "40"}, "samples", "40"},
+        {{"--drop-covered", "--samples", "16"}, "candidates_without_open_sample", "covered"},
+        {{"--fade", "0.5"}, "fade", "0.5"},
+        {{"--no-fade"}, "fade", "0"},
+        {{"--normal-passes", "3"}, "normal_passes", "3"},
+        {{"--tau", "0.25"}, "tau", "0.25"},
+        {{"--pca-share", "0.5"}, "pca_share", "0.5"},
+        {{"--curvature", "closed"}, "curvature", "closed"},
+        {{"--curvature-passes", "2"}, "curvature_passes", "2"},
+        {{"--force", "paper"}, "force", "paper"},
+        {{"--surface-tension", "1"}, "surface_tension", "1"},
+        {{"--particle-spacing", "0.03"}, "spacing_ratio", "4"},
+        {{"--balance-momentum"}, "momentum", "balanced"},
+    };
+    for (const auto& [options, name, text] : cases) {
+        const Snapshot other = classified(input, options);
+        EXPECT_EQ(other.provenance.at("runtime_" + name), text);
+        EXPECT_FALSE(same_surface(other, usual)) << options[0];
+    }
+}
+
+TEST_F(Classify, PaperIsWhatItsOptionsSay) {
+    const Path input = sample("droplet_iisph_14");
+    const Words spelled = {"--drop-covered", "--no-fade", "--curvature",        "closed",
+                           "--force",        "paper",     "--curvature-passes", "1"};
+    const Snapshot paper = classified(input, {"--paper"});
+    const std::string bytes = bytes_of(out / input.filename());
+    EXPECT_FALSE(same_surface(paper, classified(input)));
+    (void)classified(input, spelled);
+    EXPECT_TRUE(bytes_of(out / input.filename()) == bytes);
+    (void)classified(input, {"--paper", "--curvature-passes", "2"});
+    EXPECT_FALSE(bytes_of(out / input.filename()) == bytes);
+}
+
+TEST_F(Classify, SaysWhatWasFound) {
+    const Path input = sample("dam_dfsph_08");
+    const Words words = {"classify", input, "--model", model, "-o", out};
+    const auto counted = [&](const std::string& printed, double least) {
+        const auto classes = scalar_values(read_vtkhdf(out / input.filename()), "surface_class");
+        const auto count = std::count_if(classes.begin(), classes.end(),
+                                         [&](double value) { return value >= least; });
+        EXPECT_NE(printed.find(std::to_string(count)), std::string::npos) << printed << count;
+    };
+    const std::string printed = succeed(words);
+    expect_mentions(printed, {"let through by the line", "of them surface", "none lost"});
+    counted(printed, 1);
+    counted(printed, 2);
+    const std::string dropping = succeed(words + Words{"--paper"});
+    expect_mentions(dropping, {"dropped"});
+    counted(dropping, 2);
+}
+
+TEST_F(Classify, SpacingIsHalfTheRadiusWhereNothingSays) {
+    Snapshot snapshot = block(6);
+    const Words words = {"classify", save(snapshot, "known.vtkhdf"), "--model", model, "-o", out};
+    const std::string known = succeed(words);
+    EXPECT_EQ(known.find("half the support radius"), std::string::npos) << known;
+    snapshot.particle_spacing.reset();
+    expect_mentions(
+        succeed({"classify", save(snapshot, "unknown.vtkhdf"), "--model", model, "-o", out}),
+        {"particle spacing 0.5 m", "half the support radius", "--particle-spacing"});
+    EXPECT_TRUE(
+        same_surface(read_vtkhdf(out / "known.vtkhdf"), read_vtkhdf(out / "unknown.vtkhdf")));
+}
+
+TEST_F(Classify, BadValuesNameTheirOption) {
+    const Words words = {"classify", sample("droplet_iisph_04"), "--model", model, "-o", out};
+    const std::vector<Words> cases = {
+        {"--samples", "3"},
+        {"--samples", "20000"},
+        {"--samples", "-5"},
+        {"--time-step", "0.1"},
+        {"--sampling-density", "1000"},
+        {"--time-step", "0", "--sampling-density", "1000"},
+        {"--sampling-density", "inf", "--time-step", "1"},
+        {"--fade", "-1"},
+        {"--fade", "1.5"},
+        {"--tau", "2"},
+        {"--tau", "nan"},
+        {"--tau", "half"},
+        {"--pca-share", "-0.1"},
+        {"--normal-passes", "-1"},
+        {"--curvature-passes", "1.5"},
+        {"--curvature", "open"},
+        {"--force", "strong"},
+        {"--surface-tension", "inf"},
+        {"--particle-spacing", "0"},
+        {"--exact", "--samples", "16"},
+        {"--exact", "--drop-covered"},
+        {"--fade", "0.1", "--no-fade"},
+    };
+    for (const Words& options : cases)
+        fail(2, words + options, {options[0].c_str()});
+}
+
+TEST_F(Classify, RerunsWithOtherOptionsLeaveNoTrace) {
+    const Path input = sample("droplet_iisph_04");
+    const Words words = {"classify", input, "--model", model, "--quiet", "-o"};
+    succeed(words + Words{out, "--exact", "--balance-momentum"});
+    succeed(words + Words{out, "--paper", "--balance-momentum"});
+    succeed(words + Words{folder / "fresh", "--paper", "--balance-momentum", "--threads", "1"});
+    EXPECT_TRUE(bytes_of(out / input.filename()) == bytes_of(folder / "fresh" / input.filename()));
+    // What was classified can be classified: its arrays are replaced.
+    succeed({"classify", folder / "fresh" / input.filename(), "--model", model, "-o",
+             folder / "again"});
+    EXPECT_TRUE(same_surface(read_vtkhdf(folder / "again" / input.filename()), classified(input)));
+}
+
+TEST_F(Classify, IdsKeyTheSamples) {
+    Snapshot snapshot = block(8);
+    const Snapshot plain = classified(save(snapshot, "block.vtkhdf"));
+    std::vector<std::int64_t> ids(snapshot.size());
+    std::iota(ids.begin(), ids.end(), 0);
+    set_array(snapshot, {"id", 1, ids});
+    EXPECT_TRUE(same_surface(classified(save(snapshot, "block.vtkhdf")), plain));
+    std::reverse(ids.begin(), ids.end());
+    set_array(snapshot, {"id", 1, ids});
+    const Snapshot reversed = classified(save(snapshot, "block.vtkhdf"));
+    EXPECT_FALSE(same_surface(reversed, plain));
+    EXPECT_EQ(scalar_values(reversed, "surface_class"), scalar_values(plain, "surface_class"));
+}
+
+/// Phases do not cover each other.
+TEST_F(Classify, PhasesAreApart) {
+    Snapshot snapshot = block(8);
+    const auto count_surface = [&] {
+        const auto classes =
+            scalar_values(classified(save(snapshot, "block.vtkhdf")), "surface_class");
+        return std::count(classes.begin(), classes.end(), 2);
+    };
+    const auto whole = count_surface();
+    std::vector<std::int32_t> phases;
+    for (const auto& position : snapshot.positions)
+        phases.push_back(position[2] < 2 ? 0 : 1);
+    set_array(snapshot, {"phase", 1, phases});
+    EXPECT_GT(count_surface(), whole + 60);
+}
+
+/// A block on a floor: its lowest layer is covered, and a body at a wall is not free.
+TEST_F(Classify, BoundaryCoversAndHolds) {
+    const Path input = save(block(8), "block.vtkhdf");
+    Snapshot layers;
+    for (const auto& position : block(8).positions)
+        if (position[2] < 1)
+            layers.positions.push_back({position[0], position[1], position[2] - 1});
+    const Words floor = {"--boundary", save(layers, "floor.vtkhdf")};
+    const Snapshot free = classified(input);
+    const Snapshot held = classified(input, floor);
+    EXPECT_FALSE(same_surface(free, classified(input, {"--balance-momentum"})));
+    EXPECT_TRUE(same_surface(held, classified(input, floor + Words{"--balance-momentum"})));
+    const auto free_class = scalar_values(free, "surface_class");
+    const auto held_class = scalar_values(held, "surface_class");
+    std::size_t covered = 0;
+    for (std::size_t i = 0; i < free.size(); ++i) {
+        EXPECT_LE(held_class[i], free_class[i]);
+        EXPECT_TRUE(free.positions[i][2] <= 1 || held_class[i] == free_class[i]) << i;
+        covered += held_class[i] == 1 && free_class[i] == 2 ? 1 : 0;
+    }
+    EXPECT_GE(covered, 16U);
+}
+
+TEST_F(Classify, LeftOutParticlesHaveNothing) {
+    Snapshot snapshot = block(7);
+    snapshot.positions[62][1] = std::numeric_limits<double>::quiet_NaN();
+    const Snapshot found =
+        classified(save(snapshot, "hole.vtkhdf"), {"--skip-invalid", "--balance-momentum"});
+    for (const char* name : arrays_of_runtime) {
+        const auto values = as_doubles(*find_array(found, name));
+        EXPECT_TRUE(std::all_of(values.begin(), values.end(), [](double value) {
+            return std::isfinite(value);
+        })) << name;
+    }
+    EXPECT_EQ(scalar_values(found, "surface_class")[62], 0);
+}
+
+class ClassifyFlat : public Classify {
+protected:
+    void SetUp() override {
+        Classify::SetUp();
+        Model flat;
+        flat.dimension = 2;
+        flat.line = {20, 9};
+        flat.objective = "by hand";
+        write("model.json", model_to_json(flat));
+    }
+};
+
+/// A pool in a tank, walls in the same file, as PySPH's examples are: surface is its upper edge.
+TEST_F(ClassifyFlat, PoolInATank) {
+    Snapshot pool;
+    pool.dimension = 2;
+    pool.support_radius = 1;
+    pool.particle_spacing = 0.5;
+    constexpr int width = 20;
+    constexpr int height = 10;
+    for (int y = -3; y < height; ++y)
+        for (int x = -3; x < width + 3; ++x) {
+            const bool wall = y < 0 || x < 0 || x >= width;
+            (wall ? pool.boundary : pool.positions).push_back({0.5 * x, 0.5 * y, 0});
+        }
+    const Path input = save(pool, "pool.vtkhdf");
+    const Snapshot found = classified(input, {"--balance-momentum"});
+    const auto class_of = scalar_values(found, "surface_class");
+    const auto normals = vectors(found, "runtime_normal");
+    const auto forces = vectors(found, "runtime_force");
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const bool at_edge = found.positions[i][1] == 0.5 * (height - 1);
+        EXPECT_EQ(class_of[i] == 2, at_edge) << i;
+        EXPECT_EQ(normals[i][2], 0);
+        EXPECT_EQ(forces[i][2], 0);
+        EXPECT_TRUE(!at_edge || normals[i][1] > 0.9) << i;
+    }
+    const std::string bytes = bytes_of(out / input.filename());
+    (void)classified(input, {"--balance-momentum", "--threads", "1"});
+    EXPECT_TRUE(bytes_of(out / input.filename()) == bytes);
+}
+
+TEST_F(ClassifyFlat, PysphsOwnFile) {
+    const Snapshot found =
+        classified(Path(MENISCUS_TEST_SAMPLES) / "pysph_dam_break.hdf5",
+                   {"--support-radius", "0.078", "--paper", "--balance-momentum"});
+    ASSERT_EQ(found.dimension, 2);
+    for (const char* name : arrays_of_runtime)
+        EXPECT_NE(find_array(found, name), nullptr) << name;
+    EXPECT_EQ(scalar_values(found, "surface_class"), std::vector<double>(found.size(), 2));
 }
 
 } // namespace

@@ -15,7 +15,8 @@ endfunction()
 function(build_consumer name)
     run(ignored ${CMAKE_COMMAND} -S ${CONSUMERS}/${name} -B ${WORK}/${name} -G ${GENERATOR}
         -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=${CXX_COMPILER}
-        "-DCMAKE_CXX_FLAGS=${CXX_FLAGS}" ${ARGN})
+        "-DCMAKE_CXX_FLAGS=${CXX_FLAGS}" -DCMAKE_C_COMPILER=${C_COMPILER}
+        "-DCMAKE_C_FLAGS=${CXX_FLAGS}" ${ARGN})
     run(ignored ${CMAKE_COMMAND} --build ${WORK}/${name})
 endfunction()
 
@@ -34,7 +35,7 @@ run(ignored ${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix} --config "${C
 foreach(file bin/meniscus include/meniscus/version.hpp include/meniscus/runtime/classifier.hpp
         include/meniscus/runtime/surface_coefficients.hpp include/meniscus/data/vtkhdf.hpp
         include/meniscus/labeler/labeler.hpp share/meniscus/samples/droplet_iisph_01.vtkhdf
-        share/meniscus/models/surface_3d.json)
+        share/meniscus/models/surface_3d.json include/meniscus/meniscus.h)
     if(NOT EXISTS ${prefix}/${file})
         message(FATAL_ERROR "${file} is not installed")
     endif()
@@ -75,3 +76,19 @@ expect_mention("${printed}" "1000 particles in 3D")
 build_consumer(subproject -DMENISCUS_SOURCE=${SOURCE} -DSOLVER=${CONSUMERS}/solver
     -DEXPORTED=${WORK}/exported.hpp)
 run(ignored ${WORK}/subproject/solver)
+
+# The README's lines, and a solver in C, told where the library is by CMake or by pkg-config.
+build_consumer(readme -DCMAKE_PREFIX_PATH=${prefix} -DREADME=${SOURCE}/README.md)
+run(ignored ${WORK}/readme/readme)
+build_consumer(c_solver -DCMAKE_PREFIX_PATH=${prefix})
+run(printed ${WORK}/c_solver/c_solver)
+expect_mention("${printed}" "corner drawn by")
+find_program(pkg_config pkg-config)
+if(pkg_config)
+    file(GLOB_RECURSE description ${prefix}/*/meniscus.pc)
+    cmake_path(GET description PARENT_PATH folder)
+    run(flags ${CMAKE_COMMAND} -E env PKG_CONFIG_PATH=${folder}
+        ${pkg_config} --cflags --libs meniscus)
+    separate_arguments(flags UNIX_COMMAND "${CXX_FLAGS} ${flags}")
+    run(ignored ${C_COMPILER} ${CONSUMERS}/c_solver/solver.c -o ${WORK}/plain_c_solver ${flags})
+endif()

@@ -200,7 +200,7 @@ TEST(Map, OfASphereSurface) {
     for (const bool averaged : {true, false}) {
         CurvatureMap map = example;
         map.averaged = averaged;
-        find_mapped_curvature<double, 3>(map, ratio, loop, list, memory);
+        find_mapped_curvature<double, 3>(map, ratio, UniformRadius<double>{1}, loop, list, memory);
         for (std::size_t slot = 0; slot < list.size(); ++slot)
             if (list.pairs_count[slot] > 1 && slot != 3) {
                 EXPECT_NEAR(list.curvature[slot], expected, 1e-9);
@@ -217,7 +217,8 @@ TEST(Map, StaysWithinWhatIsPossible) {
         // Two particles of a speck, as near as particles get, that look away from each other or at
         // each other.
         auto list = surface<float, 3>({{0, 0, 0}, {0.21F, 0, 0}}, {{-sign, 0, 0}, {sign, 0, 0}});
-        find_mapped_curvature<float, 3>(example, ratio, loop, list, memory);
+        find_mapped_curvature<float, 3>(example, ratio, UniformRadius<float>{1}, loop, list,
+                                        memory);
         EXPECT_NEAR(sign * list.turning[0], 2 / 0.21F, 1e-4F);
         EXPECT_NEAR(sign * list.curvature[0], 2 / 0.6F, 1e-5F);
     }

@@ -1,14 +1,17 @@
 // A solver with its own particles and its own way to find neighbors classifies them in the three
-// ways that the runtime offers. They must agree.
+// ways that the runtime offers. They must agree. And has surface tension on its own threads.
 #include EXPORTED
 
 #include <meniscus/runtime/classifier.hpp>
 #include <meniscus/runtime/exact_coverage.hpp>
+#include <meniscus/runtime/shipped_curvature_map.hpp>
 #include <meniscus/runtime/surface_coefficients.hpp>
+#include <meniscus/runtime/surface_tension.hpp>
 
 #include <array>
 #include <cstdint>
 #include <cstdio>
+#include <thread>
 #include <vector>
 
 namespace {
@@ -119,10 +122,50 @@ bool covers(const std::vector<Vector>& positions) {
            corner.moment[2] < 0 && part_of(positions.at(middle)).fraction == 0;
 }
 
+/// How the runtime spreads its work over a host's own threads: each has a part.
+struct ThreadLoop {
+    static int workers() { return 4; }
+
+    template <class Body>
+    void operator()(std::size_t count, const Body& body) const {
+        std::vector<std::thread> threads;
+        for (int n = 0; n < workers(); ++n)
+            threads.emplace_back(body, count * n / workers(), count * (n + 1) / workers(), n);
+        for (std::thread& thread : threads)
+            thread.join();
+    }
+};
+
+template <class View, class Loop>
+std::vector<Vector> forces(const View& view, const Loop& loop) {
+    meniscus::SurfaceTensionOptions options;
+    options.force.spacing_ratio = 2 / 0.9;
+    options.map = meniscus::shipped_curvature_map(3);
+    meniscus::SurfaceTension<Real, 3> tension(options);
+    tension.step(view, edge * edge * edge, meniscus::UniformRadius<Real>{support_radius}, loop);
+    return tension.surface().force;
+}
+
+/// Surface tension over a callable: the same on any loop, and a corner is drawn inwards.
+bool pulls(const std::vector<Vector>& positions) {
+    const auto view = [&](std::size_t i, auto&& visit) {
+        for (std::size_t j = 0; j < positions.size(); ++j)
+            visit(j, between(positions[i], positions[j]), mass);
+    };
+    const auto on_one = forces(view, meniscus::SerialLoop{});
+    const Vector& of_corner = on_one.front();
+    return on_one == forces(view, ThreadLoop{}) && of_corner[0] > 0 && of_corner[1] > 0 &&
+           of_corner[2] > 0;
+}
+
 } // namespace
 
 int main() {
     const auto positions = block_of_particles();
+    if (!pulls(positions)) {
+        std::puts("surface tension is wrong");
+        return 1;
+    }
     if (!covers(positions)) {
         std::puts("exact coverage is wrong");
         return 1;

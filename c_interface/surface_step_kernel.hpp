@@ -1,0 +1,234 @@
+// Included once by each surface_step_*.cpp, inside the region that it compiles for its instruction
+// set. Everything of the standard library has been included before that region begins.
+#include <meniscus/runtime/shipped_curvature_map.hpp>
+#include <meniscus/runtime/surface_tension.hpp>
+
+namespace meniscus {
+inline namespace MENISCUS_INSTRUCTION_SET {
+
+/// Offsets of either width and the indices that they cut into rows.
+struct HostRows {
+    const void* offsets;
+    bool wide; ///< 64 bits an offset
+    const std::uint32_t* neighbors;
+
+    [[nodiscard]] std::size_t begin(std::size_t i) const {
+        return wide ? static_cast<std::size_t>(static_cast<const std::uint64_t*>(offsets)[i])
+                    : static_cast<const std::uint32_t*>(offsets)[i];
+    }
+};
+
+/// View over the lists of the fluid, in a stride known at run time.
+template <class Real, int Dimension>
+struct HostLists {
+    const Real* positions; ///< of the particles in the rows
+    std::size_t stride;
+    const Real* masses;
+    HostRows rows;
+    const Real* centers; ///< positions of the particles that have the rows
+
+    template <class Visit>
+    void operator()(std::size_t i, Visit&& visit) const {
+        const Real* center = centers + i * stride;
+        const std::size_t end = rows.begin(i + 1);
+        for (std::size_t n = rows.begin(i); n < end; ++n) {
+            const std::size_t j = rows.neighbors[n];
+            std::array<Real, Dimension> displacement;
+            for (int axis = 0; axis < Dimension; ++axis)
+                displacement[axis] = positions[j * stride + axis] - center[axis];
+            visit(j, displacement, masses != nullptr ? masses[j] : Real(1));
+        }
+    }
+};
+
+template <class Offset, int Stride, class Real, int Dimension>
+CsrNeighborhood<Real, Dimension, Stride, Offset> as_csr(const HostLists<Real, Dimension>& view) {
+    return {view.positions, view.masses, static_cast<const Offset*>(view.rows.offsets),
+            view.rows.neighbors};
+}
+
+/// The features by the fast pass over compressed rows, in the strides that it is compiled for.
+template <class Real, int Dimension>
+FeatureSum<Real, Dimension> sum_features(const HostLists<Real, Dimension>& view, std::size_t i,
+                                         const NeighborRange<Real>& range) {
+    const bool wide = view.rows.wide;
+    switch (view.stride) {
+    case Dimension:
+        return wide ? sum_features(as_csr<std::uint64_t, Dimension>(view), i, range)
+                    : sum_features(as_csr<std::uint32_t, Dimension>(view), i, range);
+    case Dimension + 1: // padded, or a plane in three dimensions
+        return wide ? sum_features(as_csr<std::uint64_t, Dimension + 1>(view), i, range)
+                    : sum_features(as_csr<std::uint32_t, Dimension + 1>(view), i, range);
+    default:
+        return sum_features_reference<Real, Dimension>(view, i, range);
+    }
+}
+
+/// View over the boundary, which may be none: known at run time only.
+template <class Real, int Dimension>
+struct HostBoundary {
+    static constexpr bool is_there = true;
+    HostLists<Real, Dimension> lists;
+
+    template <class Visit>
+    void operator()(std::size_t i, Visit&& visit) const {
+        if (lists.rows.offsets != nullptr)
+            lists(i, visit);
+    }
+};
+
+inline SurfaceTensionOptions runtime_options(const meniscus_options& from, int dimension) {
+    SurfaceTensionOptions to;
+    to.k = from.k;
+    to.d = from.d;
+    to.samples = from.samples;
+    to.seed = from.seed;
+    to.exposure.radius_ratio = from.radius_ratio;
+    to.exposure.method =
+        from.coverage == MENISCUS_EXACT ? CoverageMethod::exact : CoverageMethod::sampled;
+    to.exposure.verification =
+        from.verification == MENISCUS_DROP ? Verification::drop : Verification::exact;
+    to.exposure.fade = from.fade;
+    to.tau = from.tau;
+    to.normal_passes = from.normal_passes;
+    to.covariance_share = from.covariance_share;
+    to.curvature =
+        from.curvature == MENISCUS_CLOSED_CURVATURE ? CurvatureForm::closed : CurvatureForm::mapped;
+    to.map = shipped_curvature_map(dimension);
+    if (from.curvature_map != nullptr) {
+        static_assert(sizeof(from.curvature_map->coefficients) == sizeof(to.map.coefficients));
+        std::copy_n(from.curvature_map->coefficients, CurvatureMap::terms, to.map.coefficients);
+        to.map.least = from.curvature_map->least;
+        to.map.largest = from.curvature_map->largest;
+        to.map.averaged = from.curvature_map->averaged != 0;
+    }
+    to.curvature_passes = from.curvature_passes;
+    to.force.form = from.force == MENISCUS_PAPER_FORCE ? ForceForm::paper : ForceForm::calibrated;
+    to.force.surface_tension = from.surface_tension;
+    to.force.spacing_ratio = from.spacing_ratio;
+    return to;
+}
+
+template <class Real, int Dimension>
+class SurfaceStepKernel final : public SurfaceStep {
+public:
+    explicit SurfaceStepKernel(const meniscus_options& options)
+        : tension(runtime_options(options, Dimension)), loop{options.threads > 0
+                                                                 ? options.threads
+                                                                 : omp_get_max_threads()} {}
+
+    void reserve(std::size_t particles, std::size_t neighbors) override {
+        tension.reserve(particles, neighbors, loop.workers());
+        row_lengths.reserve(particles);
+        packed.reserve(particles * Dimension);
+    }
+
+    void set_samples(std::size_t samples) override { tension.set_samples(samples); }
+
+    void set_line(double k, double d) override { tension.set_line({k, d}); }
+
+    void step(const meniscus_particles& particles) override {
+        with_radii(particles, [&](const auto& radii) { step_with(particles, radii); });
+    }
+
+    void balance_momentum(const meniscus_particles& particles) override {
+        with_radii(particles, [&](const auto& radii) {
+            tension.template balance_momentum<Dimension>(fluid(particles), boundary(particles),
+                                                         radii, packed_positions(particles), loop);
+        });
+    }
+
+    [[nodiscard]] meniscus_results results() const override {
+        const auto& found = tension.surface();
+        static_assert(sizeof(SurfaceClass) == 1);
+        return {sizeof(meniscus_results),
+                found.size(),
+                found.slot_of.size(),
+                found.particle.data(),
+                found.slot_of.data(),
+                reinterpret_cast<const std::uint8_t*>(found.surface_class.data()),
+                found.uncovered_fraction.data(),
+                found.normal.data(),
+                found.curvature.data(),
+                found.force.data()};
+    }
+
+private:
+    using Lists = HostLists<Real, Dimension>;
+
+    SurfaceTension<Real, Dimension> tension;
+    OpenMpLoop loop;
+    std::vector<std::uint32_t> row_lengths; ///< of each particle
+    std::vector<Real> packed;               ///< positions without padding
+
+    static std::size_t stride_of(const meniscus_particles& particles) {
+        return particles.stride != 0 ? particles.stride : Dimension;
+    }
+
+    static Lists fluid(const meniscus_particles& particles) {
+        const auto* positions = static_cast<const Real*>(particles.positions);
+        return {positions, stride_of(particles), static_cast<const Real*>(particles.masses),
+                HostRows{particles.offsets, particles.offset_bits == 64, particles.neighbors},
+                positions};
+    }
+
+    static HostBoundary<Real, Dimension> boundary(const meniscus_particles& particles) {
+        const void* offsets =
+            particles.boundary_positions != nullptr ? particles.boundary_offsets : nullptr;
+        return {Lists{static_cast<const Real*>(particles.boundary_positions), stride_of(particles),
+                      nullptr,
+                      HostRows{offsets, particles.offset_bits == 64, particles.boundary_neighbors},
+                      static_cast<const Real*>(particles.positions)}};
+    }
+
+    template <class Do>
+    static void with_radii(const meniscus_particles& particles, const Do& act) {
+        if (particles.support_radii != nullptr)
+            act(VaryingRadii<Real>{static_cast<const Real*>(particles.support_radii)});
+        else
+            act(UniformRadius<Real>{static_cast<Real>(particles.support_radius)});
+    }
+
+    template <class Radii>
+    void step_with(const meniscus_particles& particles, const Radii& radii) {
+        const Lists view = fluid(particles);
+        const auto walls = boundary(particles);
+        if (particles.candidates != nullptr) {
+            row_lengths.resize(particles.count); // no particle has more neighbors than that
+            for (std::size_t i = 0; i < particles.count; ++i)
+                row_lengths[i] =
+                    static_cast<std::uint32_t>(view.rows.begin(i + 1) - view.rows.begin(i));
+            tension.step(view, walls, particles.count, radii, particles.ids, particles.candidates,
+                         row_lengths.data(), loop);
+        } else {
+            tension.step(view, walls, particles.count, radii, particles.ids, loop);
+        }
+    }
+
+    const Real* packed_positions(const meniscus_particles& particles) {
+        const auto* positions = static_cast<const Real*>(particles.positions);
+        const std::size_t stride = stride_of(particles);
+        if (stride == Dimension)
+            return positions;
+        packed.resize(particles.count * Dimension);
+        for (std::size_t i = 0; i < particles.count; ++i)
+            std::copy_n(positions + i * stride, Dimension, packed.data() + i * Dimension);
+        return packed.data();
+    }
+};
+
+template <int Dimension>
+std::unique_ptr<SurfaceStep> make_surface_step(const meniscus_options& options, int precision) {
+    if (precision == MENISCUS_FLOAT)
+        return std::unique_ptr<SurfaceStep>(new SurfaceStepKernel<float, Dimension>(options));
+    return std::unique_ptr<SurfaceStep>(new SurfaceStepKernel<double, Dimension>(options));
+}
+
+inline std::unique_ptr<SurfaceStep> make_surface_step(const meniscus_options& options,
+                                                      int dimension, int precision) {
+    return dimension == 2 ? make_surface_step<2>(options, precision)
+                          : make_surface_step<3>(options, precision);
+}
+
+} // namespace MENISCUS_INSTRUCTION_SET
+} // namespace meniscus
