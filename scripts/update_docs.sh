@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Prints the tables of README and docs/ again from the samples, between their "begin" and "end"
-# comments, and draws the plots. Takes some minutes; speed wants an otherwise idle machine, sampling
-# and normals Debian's python3-matplotlib.
+# comments, and draws the plots. Takes some minutes, curvature half an hour; speed wants an otherwise
+# idle machine, sampling and normals Debian's python3-matplotlib.
 # Usage: scripts/update_docs.sh [TABLES]   (default: all)
 # TABLES: accuracy, speed, sampling, force, surface-speed, normals or curvature
 set -euo pipefail
