@@ -14,7 +14,7 @@
 namespace meniscus {
 
 /// Neighbors of one particle, in units of the support radius. One for each concurrent caller.
-struct BeckerRow {
+struct alignas(128) BeckerRow { // apart, since two threads write to neighbors
     std::vector<float> x, y, z;
     std::size_t count = 0;
 

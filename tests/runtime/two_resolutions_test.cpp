@@ -78,7 +78,7 @@ SideMeans means_of(const Stepped<Real, Dimension>& state, double side) {
 }
 
 /// `tolerance` is what the force of one side may be off. The lattices are rough, which makes the
-/// mean curvature smaller than it is: by up to a quarter.
+/// mean curvature smaller than it is, by up to a quarter; where they meet it may be too large.
 template <class Real, int Dimension>
 void expect_sphere(const test::Droplet& droplet, const Vector3& center, double radius,
                    double tolerance) {
@@ -89,7 +89,8 @@ void expect_sphere(const test::Droplet& droplet, const Vector3& center, double r
         for (const double side : {-1.0, 1.0}) {
             const SideMeans means = means_of(state, side);
             EXPECT_LT(means.normal_error, 0.12);
-            EXPECT_NEAR(means.curvature, 0.9, 0.15);
+            EXPECT_GT(means.curvature, 0.75);
+            EXPECT_LT(means.curvature, 1.15);
             EXPECT_NEAR(means.force, 1, tolerance);
         }
     }
