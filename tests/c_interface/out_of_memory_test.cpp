@@ -1,44 +1,24 @@
 // However little memory there is, the C interface answers with a status: each allocation of a
 // create and a step fails once.
 #include "hosts.hpp"
+#include "runtime/own_new.hpp"
 
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <cstdlib>
 #include <limits>
-#include <new>
 
 namespace {
 
 std::atomic<int> allocations_left{std::numeric_limits<int>::max()};
+
+} // namespace
 
 void* allocate(std::size_t size) {
     if (allocations_left.fetch_sub(1) > 0)
         if (void* memory = std::malloc(size > 0 ? size : 1))
             return memory;
     throw std::bad_alloc();
-}
-
-} // namespace
-
-void* operator new(std::size_t size) {
-    return allocate(size);
-}
-void* operator new[](std::size_t size) {
-    return allocate(size);
-}
-void operator delete(void* memory) noexcept {
-    std::free(memory);
-}
-void operator delete[](void* memory) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
-void operator delete[](void* memory, std::size_t) noexcept {
-    std::free(memory);
 }
 
 namespace meniscus {

@@ -1,18 +1,19 @@
 // Within what was reserved, a step allocates nothing: no call of operator new from here on counts
 // but those of steps.
 #include "fluids.hpp"
+#include "own_new.hpp"
 #include "two_threads.hpp"
 
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <cstdlib>
-#include <new>
 
 namespace {
 
 std::atomic<bool> counting{false};
 std::atomic<int> allocations{0};
+
+} // namespace
 
 void* allocate(std::size_t size) {
     if (counting)
@@ -20,27 +21,6 @@ void* allocate(std::size_t size) {
     if (void* memory = std::malloc(size > 0 ? size : 1))
         return memory;
     throw std::bad_alloc();
-}
-
-} // namespace
-
-void* operator new(std::size_t size) {
-    return allocate(size);
-}
-void* operator new[](std::size_t size) {
-    return allocate(size);
-}
-void operator delete(void* memory) noexcept {
-    std::free(memory);
-}
-void operator delete[](void* memory) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
-void operator delete[](void* memory, std::size_t) noexcept {
-    std::free(memory);
 }
 
 namespace meniscus {
