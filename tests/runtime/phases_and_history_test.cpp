@@ -20,7 +20,7 @@ TEST(Phases, EachHasASurfaceWhereItMeetsTheOther) {
     two_phases.step(view, ball.size(), ball.radii(), SerialLoop{});
     int at_interface = 0;
     for (std::size_t slot = 0; slot < two_phases.surface().size(); ++slot) {
-        const double* x = &ball.positions[3 * two_phases.surface().particle[slot]];
+        const double* x = &ball.positions[std::size_t{3} * two_phases.surface().particle[slot]];
         const bool is_inside = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] < 9;
         if (!is_inside || two_phases.surface().surface_class[slot] != SurfaceClass::surface ||
             two_phases.surface().weight[slot] < 1)
