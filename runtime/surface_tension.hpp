@@ -86,7 +86,7 @@ inline void check(const SurfaceTensionOptions& options, int dimension) {
     demand(is_positive_and_finite(options.force.spacing_ratio),
            "spacing_ratio must be positive: support radius over particle spacing");
     demand(options.curvature != CurvatureForm::mapped || options.map.dimension == dimension,
-           "the curvature map was trained in another dimension");
+           "map is missing or of another dimension: shipped_options() sets the curvature map");
 }
 
 /// Surface tension of one fluid, with the memory that it needs: one for each concurrent caller.
