@@ -24,10 +24,6 @@ enum class ForceForm { paper, calibrated };
 
 namespace surface_force {
 
-/// What the kernel's sum falls short of where particles stand no closer than they do in a fluid:
-/// measured on relaxed and on lattice spheres (docs/surface_tension.md).
-inline constexpr double area_correction = 1.0125;
-
 /// The integral of W = 1 - r / h over the sheet, in units of h^(D - 1).
 template <int Dimension>
 constexpr double kernel_integral = Dimension == 2 ? 1.0 : pi / 3;
@@ -49,7 +45,7 @@ MENISCUS_INLINE Real sheet_area(const SurfaceParticles<Real, Dimension>& list, s
         // Whether it faces the same way is for no branch to guess, hence the product.
         sum += static_cast<Real>(side > 0) * (list.weight[pair->slot] * pair->weight);
     }
-    constexpr auto scale = static_cast<Real>(area_correction * kernel_integral<Dimension>);
+    constexpr auto scale = static_cast<Real>(kernel_integral<Dimension>);
     return own > 0 ? scale * own / sum : 0;
 }
 

@@ -197,8 +197,7 @@ void find_force_reference(const View& view, const Radii& radii,
         const double half_spacing = radius / options.force.spacing_ratio / 2;
         const double side = radius * (1 + static_cast<double>(list.turning[slot]) * half_spacing);
         const double share = sum > 0 ? static_cast<double>(list.weight[slot] / sum) : 0;
-        const double area =
-            area_correction * kernel_integral<Dimension> * share * to_area<Dimension>(side);
+        const double area = kernel_integral<Dimension> * share * to_area<Dimension>(side);
         const double size = (Dimension - 1) * options.force.surface_tension *
                             static_cast<double>(list.curvature[slot]) * area;
         for (int axis = 0; axis < Dimension; ++axis)
