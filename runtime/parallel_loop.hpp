@@ -5,8 +5,8 @@
 // `worker`, below workers(), must not be the same for two bodies that run at one time: it says
 // whose memory a body may use. No result depends on how the range is cut, or on the number of
 // workers; another kind of loop may change last bits where the compiler has leave to round
-// otherwise (-ffast-math, contraction). SerialLoop is there for one thread, OpenMpLoop where the including
-// program is built with OpenMP; one over a host's own thread pool takes five lines.
+// otherwise (-ffast-math, contraction). SerialLoop is there for one thread, OpenMpLoop where the
+// including program is built with OpenMP; one over a host's own thread pool takes five lines.
 #pragma once
 
 #include "instruction_set.hpp"
