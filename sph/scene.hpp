@@ -64,10 +64,10 @@ enum class KernelKind {
     mueller, ///< poly6 for densities and averages, spiky for gradients (Mueller et al. 2003)
 };
 
-enum class PressureSolver { wcsph, pcisph, iisph, dfsph };
+enum class PressureSolverKind { wcsph, pcisph, iisph, dfsph };
 
 struct PressureOptions {
-    PressureSolver solver = PressureSolver::dfsph;
+    PressureSolverKind solver = PressureSolverKind::dfsph;
     double density_error = 0.0005; ///< largest mean compression, relative to the rest density
     /// DFSPH: largest mean compression that the velocities would cause in one step, relative to the
     /// rest density; 0 leaves the divergence-free solve out.

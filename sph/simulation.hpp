@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,14 @@ struct StepReport {
     double largest_speed = 0;          ///< m/s
     std::size_t surface_particles = 0; ///< of model `meniscus`
     StageTimes seconds;
+};
+
+/// What a surface-tension model found, one entry a particle; empty where it knows no surface.
+struct SurfaceResults {
+    std::vector<std::uint8_t> surface_class; ///< 0 interior, 1 covered, 2 surface
+    std::vector<double> curvature;           ///< mean curvature, 1/m
+    std::vector<Place> normal;               ///< unit vectors out of the fluid, or zero
+    double area = 0;                         ///< of the surface, m^2 (in 2D m)
 };
 
 /// Sums over the fluid, in double whatever the step calculates in.

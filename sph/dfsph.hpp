@@ -1,0 +1,51 @@
+// Divergence-free SPH (Bender and Koschier 2015, 2017): two solves a step. The first takes the
+// compression out of the velocities that the last step left, the second keeps the density at rest
+// after the forces of this one. Both start from the pressures of the last step.
+#pragma once
+
+#include "pressure_solver.hpp"
+
+namespace meniscus {
+inline namespace MENISCUS_INSTRUCTION_SET {
+
+template <class Real, int Dimension>
+class Dfsph : public PressureSolver<Real, Dimension> {
+public:
+    using FluidType = Fluid<Real, Dimension>;
+    using PressureSolver<Real, Dimension>::PressureSolver;
+
+    void prepare(const FluidType& fluid) override { system.prepare(fluid); }
+
+    SolveReport remove_divergence(FluidType& fluid, Real dt) override {
+        if (this->options.divergence_error == 0)
+            return {};
+        // At the surface the velocities of few neighbors say little about compression.
+        constexpr std::uint32_t fewest = Dimension == 3 ? 20 : 7;
+        const auto takes_part = [&](std::size_t i) {
+            return fluid.neighbors.count[i] + fluid.wall_neighbors.count[i] >= fewest;
+        };
+        for (Real& value : this->divergence) // kept times dt, since the step may change
+            value /= dt;
+        system.set_source(
+            fluid, dt, [](std::size_t) { return Real(0); }, takes_part, this->divergence);
+        const SolveReport report = system.iterate(fluid, dt, this->options.divergence_error,
+                                                  this->options, this->divergence);
+        for (Real& value : this->divergence)
+            value *= dt;
+        return report;
+    }
+
+    SolveReport solve(FluidType& fluid, Real dt) override {
+        system.set_source(
+            fluid, dt, [&](std::size_t i) { return fluid.density[i] - 1; },
+            [](std::size_t) { return true; }, this->pressure);
+        return system.iterate(fluid, dt, this->options.density_error, this->options,
+                              this->pressure);
+    }
+
+private:
+    PressureSystem<Real, Dimension> system;
+};
+
+} // namespace MENISCUS_INSTRUCTION_SET
+} // namespace meniscus

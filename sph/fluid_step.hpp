@@ -1,0 +1,397 @@
+// One step of the fluid, whole (symplectic Euler): cell order, neighbors, densities, the
+// divergence-free solve where the solver has one, forces, time step, velocities, pressure, places.
+// Included by each step_*.cpp, inside the region that it compiles for its instruction set.
+#pragma once
+
+#include "dfsph.hpp"
+#include "iisph.hpp"
+#include "monte_carlo_tension.hpp"
+#include "neighbor_lists.hpp"
+#include "pcisph.hpp"
+#include "step.hpp"
+#include "viscosity.hpp"
+#include "wcsph.hpp"
+
+namespace meniscus {
+inline namespace MENISCUS_INSTRUCTION_SET {
+
+/// The solver of that kind; spacing in support radii.
+template <class Real, int Dimension>
+std::unique_ptr<PressureSolver<Real, Dimension>> make_solver(const PressureOptions& options,
+                                                             double spacing) {
+    switch (options.solver) {
+    case PressureSolverKind::wcsph:
+        return std::make_unique<Wcsph<Real, Dimension>>(options);
+    case PressureSolverKind::pcisph:
+        return std::make_unique<Pcisph<Real, Dimension>>(options, spacing);
+    case PressureSolverKind::iisph:
+        return std::make_unique<Iisph<Real, Dimension>>(options);
+    case PressureSolverKind::dfsph:
+        break;
+    }
+    return std::make_unique<Dfsph<Real, Dimension>>(options);
+}
+
+/// The model of that kind, or nullptr for none; spacing in support radii.
+template <class Real, int Dimension>
+std::unique_ptr<SurfaceTensionModel<Real, Dimension>>
+make_tension_model(const TensionOptions& options, const StepUnits& units, double spacing) {
+    switch (options.model) {
+    case TensionModel::meniscus:
+        return std::make_unique<MonteCarloTension<Real, Dimension>>(options, units, spacing);
+    default:
+        return nullptr;
+    }
+}
+
+/// Adds up the seconds since it was last asked.
+class StageClock {
+public:
+    double lap() {
+        const auto now = std::chrono::steady_clock::now();
+        const std::chrono::duration<double> passed = now - last;
+        last = now;
+        return passed.count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point last = std::chrono::steady_clock::now();
+};
+
+template <class Real, int Dimension>
+class FluidStep : public Step {
+public:
+    FluidStep(const Scene& step_scene, const SceneParticles& particles, int threads)
+        : scene(step_scene), domain(scene_domain(step_scene, particles)) {
+        fluid.loop.loop.threads = threads > 0 ? threads : omp_get_max_threads();
+        fluid.kernel = scene.kernel;
+        fluid.units.support_radius = scene.support_radius;
+        fluid.units.rest_density = scene.rest_density;
+        for (int axis = 0; axis < 3; ++axis)
+            fluid.units.origin[axis] = (domain[0][axis] + domain[1][axis]) / 2;
+        const double h = scene.support_radius;
+        fluid.mass =
+            static_cast<Real>(particles.mass / (scene.rest_density * std::pow(h, Dimension)));
+        const double spacing = scene.particle_spacing / h;
+        solver = make_solver<Real, Dimension>(scene.pressure, spacing);
+        tension = make_tension_model<Real, Dimension>(scene.surface_tension, fluid.units, spacing);
+        if (tension && scene.surface_tension.restrict_to_surface)
+            detector = std::make_unique<MonteCarloTension<Real, Dimension>>(scene.surface_tension,
+                                                                            fluid.units, spacing);
+        add_walls(particles.walls);
+    }
+
+    StepReport advance(SimulationState& state, double longest) override {
+        StepReport report;
+        StageClock clock;
+        sort(state);
+        report.seconds.sort = clock.lap();
+        find_neighbors();
+        report.seconds.neighbors = clock.lap();
+        find_densities(fluid);
+        solver->prepare(fluid);
+        report.seconds.density = clock.lap();
+
+        const double last_step =
+            state.time_step > 0 ? std::min(state.time_step, longest) : time_step_for(0, longest);
+        const SolveReport divergence =
+            solver->remove_divergence(fluid, static_cast<Real>(last_step));
+        report.seconds.divergence = clock.lap();
+        add_accelerations(report, clock);
+
+        report.time_step = time_step_for(largest_speed(last_step), longest);
+        apply_accelerations(static_cast<Real>(report.time_step));
+        report.seconds.motion = clock.lap();
+        const SolveReport pressure = solver->solve(fluid, static_cast<Real>(report.time_step));
+        report.seconds.pressure = clock.lap();
+
+        move(state, report.time_step);
+        report.time = state.time;
+        report.largest_speed = largest_speed(0) * scene.support_radius;
+        report.divergence_iterations = divergence.iterations;
+        report.divergence_error = divergence.error;
+        report.pressure_iterations = pressure.iterations;
+        report.density_error = pressure.error;
+        report.converged = divergence.converged && pressure.converged;
+        check(state, report);
+        report.seconds.motion += clock.lap();
+        return report;
+    }
+
+    [[nodiscard]] StepResults results() const override {
+        StepResults found;
+        const double pressure_unit =
+            scene.rest_density * scene.support_radius * scene.support_radius;
+        found.density.resize(fluid.count);
+        found.pressure.resize(fluid.count);
+        for (std::size_t i = 0; i < fluid.count; ++i) {
+            const auto density = static_cast<double>(fluid.density[i]);
+            found.density[i] = density * scene.rest_density;
+            found.pressure[i] =
+                static_cast<double>(solver->pressure[i]) * density * density * pressure_unit;
+        }
+        if (detector || tension)
+            found.surface = (detector ? detector : tension)->results(fluid);
+        return found;
+    }
+
+private:
+    Scene scene;
+    std::array<Place, 2> domain;
+    Fluid<Real, Dimension> fluid;
+    std::unique_ptr<PressureSolver<Real, Dimension>> solver;
+    std::unique_ptr<SurfaceTensionModel<Real, Dimension>> tension;
+    /// Finds the surface for a model that does not, where forces are restricted to it.
+    std::unique_ptr<SurfaceTensionModel<Real, Dimension>> detector;
+    Cells<Real> cells;
+    Cells<Real> wall_cells;
+    ListBuffers buffers;
+    ListBuffers wall_buffers;
+    std::vector<std::uint32_t> cell_of;
+    std::vector<std::uint32_t> order;
+    std::vector<Row<Real>> rows;
+    Positions sorted_places;
+    std::vector<Row<Real>> accelerations_before;
+
+    [[nodiscard]] Row<Real> to_row(const Place& place) const {
+        const double inverse = 1 / scene.support_radius;
+        Row<Real> row;
+        row.x = static_cast<Real>((place[0] - fluid.units.origin[0]) * inverse);
+        row.y = static_cast<Real>((place[1] - fluid.units.origin[1]) * inverse);
+        if constexpr (Dimension == 3)
+            row.z = static_cast<Real>((place[2] - fluid.units.origin[2]) * inverse);
+        return row;
+    }
+
+    /// A place that no list of particles in such cells reaches.
+    static Row<Real> far_from(const CellLayout<Real>& layout) {
+        return {layout.low[0] - 10, layout.low[1] - 10, layout.low[2] - 10, 0};
+    }
+
+    /// Sorts the walls and gives each particle its volume, 1 / sum_k W_bk (Akinci et al. 2012, eq.
+    /// 4).
+    void add_walls(const Positions& walls) {
+        rows.resize(walls.size());
+        for (std::size_t b = 0; b < walls.size(); ++b)
+            rows[b] = to_row(walls[b]);
+        sort_into_cells(rows.data(), rows.size(), fluid.loop.loop, cell_of, wall_cells, order);
+        fluid.wall_place.resize(walls.size() + 1);
+        for (std::size_t b = 0; b < walls.size(); ++b)
+            fluid.wall_place[b] = rows[order[b]];
+        fluid.wall_place.back() = far_from(wall_cells.layout);
+        wall_cells.take_coordinates(fluid.wall_place.data(), walls.size());
+        LaneLists lists;
+        find_lists<Real, Dimension>(wall_cells, fluid.wall_place.data(), walls.size(), true,
+                                    static_cast<std::uint32_t>(walls.size()), fluid.loop,
+                                    wall_buffers, lists);
+        with_kernel<Real, Dimension>(fluid.kernel, [&](auto kernel) {
+            fluid.loop.each(walls.size(), [&](std::size_t b) {
+                Lanes<Real> sum = kernel.value(Lanes<Real>{}) * Lanes<Real>{1, 0, 0, 0, 0, 0, 0, 0};
+                visit_lists<Real, Dimension>(fluid.wall_place.data(), fluid.wall_place[b], lists, b,
+                                             [&](const NeighborLanes<Real, Dimension>& lanes) {
+                                                 sum += kernel.value(lanes.distance_squared);
+                                             });
+                rows[b].w = 1 / sum_of_lanes<Real>(sum);
+            });
+        });
+        for (std::size_t b = 0; b < walls.size(); ++b)
+            fluid.wall_place[b].w = rows[b].w;
+    }
+
+    void resize(std::size_t count) {
+        fluid.count = count;
+        fluid.place.resize(count + 1);
+        fluid.velocity.resize(count + 1);
+        fluid.acceleration.resize(count);
+        fluid.density.resize(count);
+        fluid.wall_density.resize(count);
+        fluid.wall_gradient.resize(count);
+        fluid.id.resize(count);
+        solver->pressure.resize(count);
+        solver->divergence.resize(count);
+    }
+
+    template <class Value>
+    void reorder(std::vector<Value>& values) const {
+        std::vector<Value> before(values);
+        fluid.loop.each(values.size(), [&](std::size_t i) { values[i] = before[order[i]]; });
+    }
+
+    void sort(SimulationState& state) {
+        const std::size_t count = state.positions.size();
+        resize(count);
+        rows.resize(count);
+        fluid.loop.each(count, [&](std::size_t i) { rows[i] = to_row(state.positions[i]); });
+        sort_into_cells(rows.data(), count, fluid.loop.loop, cell_of, cells, order);
+        reorder(state.ids);
+        reorder(state.positions);
+        reorder(state.velocities);
+        reorder(state.pressures);
+        reorder(state.divergences);
+        const double inverse = 1 / scene.support_radius;
+        fluid.loop.each(count, [&](std::size_t i) {
+            const Place& velocity = state.velocities[i];
+            fluid.place[i] = rows[order[i]];
+            fluid.velocity[i] = {static_cast<Real>(velocity[0] * inverse),
+                                 static_cast<Real>(velocity[1] * inverse),
+                                 static_cast<Real>(velocity[2] * inverse), 0};
+            fluid.id[i] = state.ids[i];
+            solver->pressure[i] = static_cast<Real>(state.pressures[i]);
+            solver->divergence[i] = static_cast<Real>(state.divergences[i]);
+        });
+        fluid.place[count] = far_from(cells.layout);
+        fluid.velocity[count] = {0, 0, 0, 1}; // a density to divide by
+        cells.take_coordinates(fluid.place.data(), count);
+    }
+
+    void find_neighbors() {
+        find_lists<Real, Dimension>(cells, fluid.place.data(), fluid.count, true,
+                                    static_cast<std::uint32_t>(fluid.count), fluid.loop, buffers,
+                                    fluid.neighbors);
+        find_lists<Real, Dimension>(wall_cells, fluid.place.data(), fluid.count, false,
+                                    static_cast<std::uint32_t>(fluid.wall_place.size() - 1),
+                                    fluid.loop, wall_buffers, fluid.wall_neighbors);
+    }
+
+    void add_accelerations(StepReport& report, StageClock& clock) {
+        const double h = scene.support_radius;
+        const Row<Real> gravity{static_cast<Real>(scene.gravity[0] / h),
+                                static_cast<Real>(scene.gravity[1] / h),
+                                static_cast<Real>(scene.gravity[2] / h), 0};
+        fluid.loop.each(fluid.count, [&](std::size_t i) { fluid.acceleration[i] = gravity; });
+        add_viscosity(scene.viscosity, fluid);
+        report.seconds.viscosity = clock.lap();
+        if (tension)
+            add_tension();
+        report.surface_particles = detector  ? detector->surface_particles()
+                                   : tension ? tension->surface_particles()
+                                             : 0;
+        report.seconds.surface_tension = clock.lap();
+    }
+
+    void add_tension() {
+        if (!detector) {
+            tension->add_accelerations(fluid);
+            return;
+        }
+        accelerations_before = fluid.acceleration;
+        detector->add_accelerations(fluid);
+        const auto is_surface = detector->results(fluid).surface_class;
+        fluid.acceleration = accelerations_before;
+        tension->add_accelerations(fluid);
+        fluid.loop.each(fluid.count, [&](std::size_t i) {
+            if (is_surface[i] != 2)
+                fluid.acceleration[i] = accelerations_before[i];
+        });
+    }
+
+    /// Of v + dt a, in support radii a second.
+    [[nodiscard]] double largest_speed(double dt) const {
+        return std::sqrt(fluid.loop.largest(fluid.count, 0, [&](std::size_t i) {
+            const Row<Real> velocity =
+                plus(fluid.velocity[i], static_cast<Real>(dt), fluid.acceleration[i]);
+            return dot_rows(velocity, velocity);
+        }));
+    }
+
+    /// The step that the CFL condition allows (Monaghan 1992), or the fixed one. Surface tension
+    /// and, in WCSPH, sound have waves of their own that must not outrun it.
+    [[nodiscard]] double time_step_for(double speed, double longest) const {
+        const TimeStepOptions& options = scene.time_step;
+        if (options.fixed)
+            return std::min(*options.fixed, longest);
+        const double spacing = scene.particle_spacing;
+        double step = options.largest;
+        if (speed > 0)
+            step = std::min(step, 0.4 * options.courant_factor * spacing /
+                                      (speed * scene.support_radius));
+        if (scene.pressure.solver == PressureSolverKind::wcsph)
+            step = std::min(step, 0.4 * options.courant_factor * scene.support_radius /
+                                      scene.pressure.sound_speed);
+        if (scene.surface_tension.model == TensionModel::meniscus &&
+            scene.surface_tension.coefficient > 0) // Brackbill et al. 1992, eq. 61
+            step = std::min(step,
+                            options.courant_factor *
+                                std::sqrt(scene.rest_density * spacing * spacing * spacing /
+                                          (2 * circle_ratio * scene.surface_tension.coefficient)));
+        return std::min(std::max(step, options.smallest), longest);
+    }
+
+    void apply_accelerations(Real dt) {
+        fluid.loop.each(fluid.count, [&](std::size_t i) {
+            fluid.velocity[i] = plus(fluid.velocity[i], dt, fluid.acceleration[i]);
+        });
+        if (scene.viscosity.xsph > 0) {
+            smooth_velocities(static_cast<Real>(scene.viscosity.xsph), fluid, rows);
+            fluid.velocity.swap(rows);
+        }
+    }
+
+    void move(SimulationState& state, double dt) {
+        const double h = scene.support_radius;
+        fluid.loop.each(fluid.count, [&](std::size_t i) {
+            const Row<Real>& row = fluid.velocity[i];
+            const Place velocity = {static_cast<double>(row.x) * h, static_cast<double>(row.y) * h,
+                                    static_cast<double>(row.z) * h};
+            state.velocities[i] = velocity;
+            for (int axis = 0; axis < Dimension; ++axis)
+                state.positions[i][axis] += dt * velocity[axis];
+            state.pressures[i] = static_cast<double>(solver->pressure[i]);
+            state.divergences[i] = static_cast<double>(solver->divergence[i]);
+        });
+        state.time += dt;
+        state.time_step = dt;
+        ++state.steps;
+    }
+
+    [[nodiscard]] bool is_in_domain(const Place& place) const {
+        for (int axis = 0; axis < Dimension; ++axis) // false for NaN as well
+            if (!(place[axis] >= domain[0][axis] && place[axis] <= domain[1][axis]))
+                return false;
+        return true;
+    }
+
+    void check(const SimulationState& state, const StepReport& report) const {
+        const double lost = fluid.loop.sum(fluid.count, [&](std::size_t i) {
+            return is_in_domain(state.positions[i]) ? 0.0 : 1.0;
+        });
+        if (lost == 0 && report.density_error <= largest_density_error)
+            return;
+        throw_divergence(state, report);
+    }
+
+    [[noreturn]] void throw_divergence(const SimulationState& state,
+                                       const StepReport& report) const;
+
+    static constexpr double largest_density_error = 0.5;
+};
+
+template <class Real, int Dimension>
+void FluidStep<Real, Dimension>::throw_divergence(const SimulationState& state,
+                                                  const StepReport& report) const {
+    std::uint32_t particle = std::numeric_limits<std::uint32_t>::max();
+    Place place{};
+    for (std::size_t i = 0; i < fluid.count; ++i)
+        if (!is_in_domain(state.positions[i]) && state.ids[i] < particle) {
+            particle = state.ids[i];
+            place = state.positions[i];
+        }
+    report_divergence(particle, place, state, report.density_error);
+}
+
+/// The step for the scene's number type and dimension.
+inline std::unique_ptr<Step> make_fluid_step(const Scene& scene, const SceneParticles& particles,
+                                             int threads) {
+    const bool is_double = scene.precision == Precision::float64;
+    if (scene.dimension == 2) {
+        if (is_double)
+            return std::make_unique<FluidStep<double, 2>>(scene, particles, threads);
+        return std::make_unique<FluidStep<float, 2>>(scene, particles, threads);
+    }
+    if (is_double)
+        return std::make_unique<FluidStep<double, 3>>(scene, particles, threads);
+    return std::make_unique<FluidStep<float, 3>>(scene, particles, threads);
+}
+
+} // namespace MENISCUS_INSTRUCTION_SET
+} // namespace meniscus

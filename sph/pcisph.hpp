@@ -1,0 +1,102 @@
+// Predictive-corrective incompressible SPH (Solenthaler and Pajarola 2009): pressures grow with the
+// density that they would leave, which is summed up anew at the predicted places in each iteration.
+#pragma once
+
+#include "pressure_solver.hpp"
+
+namespace meniscus {
+inline namespace MENISCUS_INSTRUCTION_SET {
+
+template <class Real, int Dimension>
+class Pcisph : public PressureSolver<Real, Dimension> {
+public:
+    using FluidType = Fluid<Real, Dimension>;
+
+    /// `spacing`: of the particles at rest, in support radii.
+    Pcisph(const PressureOptions& solver_options, double spacing)
+        : PressureSolver<Real, Dimension>(solver_options), rest_spacing(spacing) {}
+
+    SolveReport solve(FluidType& fluid, Real dt) override {
+        SolveReport report;
+        std::fill(this->pressure.begin(), this->pressure.end(), Real(0));
+        acceleration.assign(fluid.count, {});
+        with_kernel<Real, Dimension>(fluid.kernel, [&](auto kernel) {
+            const Real step = 1 / (2 * dt * dt * fluid.mass * fluid.mass * rest_gradients(kernel));
+            for (;; ++report.iterations) {
+                predict(fluid, dt);
+                report.error = update(fluid, kernel, step);
+                report.converged = report.error <= this->options.density_error;
+                if (report.iterations >= this->options.most_iterations ||
+                    (report.converged && report.iterations >= this->options.least_iterations))
+                    break;
+                fluid.loop.each(fluid.count,
+                                [&](std::size_t i) { fluid.place[i].w = this->pressure[i]; });
+                fluid.loop.each(fluid.count, [&](std::size_t i) {
+                    acceleration[i] = pressure_acceleration(fluid, i, kernel);
+                });
+            }
+        });
+        fluid.loop.each(fluid.count, [&](std::size_t i) {
+            fluid.velocity[i] = plus(fluid.velocity[i], dt, acceleration[i]);
+        });
+        return report;
+    }
+
+private:
+    double rest_spacing;
+    std::vector<Row<Real>> acceleration;
+    std::vector<Row<Real>> predicted; ///< places; one more than particles
+
+    /// sum_j grad W . sum_j grad W + sum_j grad W . grad W of a particle inside a lattice at rest
+    /// (eq. 8), where the first vanishes.
+    template <class Kernel>
+    Real rest_gradients(const Kernel& kernel) const {
+        const int reach = static_cast<int>(1 / rest_spacing) + 1;
+        double sum = 0;
+        for (int x = -reach; x <= reach; ++x)
+            for (int y = -reach; y <= reach; ++y)
+                for (int z = Dimension == 3 ? -reach : 0; z <= (Dimension == 3 ? reach : 0); ++z) {
+                    const double squared = rest_spacing * rest_spacing * (x * x + y * y + z * z);
+                    const double slope = static_cast<double>(
+                        kernel.gradient(all_lanes_of<Real>(static_cast<Real>(squared)))[0]);
+                    sum += slope * slope * squared;
+                }
+        return static_cast<Real>(sum);
+    }
+
+    void predict(const FluidType& fluid, Real dt) {
+        predicted.resize(fluid.count + 1);
+        predicted[fluid.count] = fluid.place[fluid.count];
+        fluid.loop.each(fluid.count, [&](std::size_t i) {
+            const Row<Real> velocity = plus(fluid.velocity[i], dt, acceleration[i]);
+            predicted[i] = plus(fluid.place[i], dt, velocity);
+        });
+    }
+
+    /// Moves the pressures by the compression at the predicted places; returns its mean.
+    template <class Kernel>
+    double update(const FluidType& fluid, const Kernel& kernel, Real step) {
+        const Real least = this->options.clip_negative ? 0 : -std::numeric_limits<Real>::infinity();
+        const double left = fluid.loop.sum(fluid.count, [&](std::size_t i) -> Real {
+            Lanes<Real> sum = kernel.value(Lanes<Real>{}) * Lanes<Real>{1, 0, 0, 0, 0, 0, 0, 0};
+            visit_lists<Real, Dimension>(predicted.data(), predicted[i], fluid.neighbors, i,
+                                         [&](const NeighborLanes<Real, Dimension>& lanes) {
+                                             sum += kernel.value(lanes.distance_squared);
+                                         });
+            Lanes<Real> walls{};
+            visit_lists<Real, Dimension>(
+                fluid.wall_place.data(), predicted[i], fluid.wall_neighbors, i,
+                [&](const NeighborLanes<Real, Dimension>& lanes) {
+                    walls += lanes.w * kernel.value(lanes.distance_squared);
+                });
+            const Real excess =
+                fluid.mass * sum_of_lanes<Real>(sum) + sum_of_lanes<Real>(walls) - 1;
+            this->pressure[i] = std::max(this->pressure[i] + step * excess, least);
+            return std::max(excess, Real(0));
+        });
+        return fluid.count == 0 ? 0 : left / static_cast<double>(fluid.count);
+    }
+};
+
+} // namespace MENISCUS_INSTRUCTION_SET
+} // namespace meniscus

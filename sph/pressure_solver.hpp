@@ -1,0 +1,153 @@
+// What pressure solvers have in common: each changes the velocities so that, after the particles
+// moved by them, the fluid is compressed no more than its limit says. Their pressures outlive the
+// step, since the next one starts from them.
+//
+// IISPH and DFSPH solve the same linear system, by relaxed Jacobi iterations over w = p / rho^2
+// with w >= 0 where negative pressures are clipped: the compression by the velocities v is taken
+// back by the pressure accelerations a(w),
+//     dt (m sum_j (v_i - v_j) . grad W_ij) + dt^2 (m sum_j (a_i - a_j) . grad W_ij) = 1 - rho_i
+// (Ihmsen et al. 2014, eq. 8; Bender and Koschier 2017, eqs. 11 and 12). Its diagonal is
+// -dt^2 (|g_i|^2 + m^2 sum_j |grad W_ij|^2) with g_i = m sum_j grad W_ij and the walls' part.
+#pragma once
+
+#include "pair_sums.hpp"
+#include "simulation.hpp"
+
+namespace meniscus {
+inline namespace MENISCUS_INSTRUCTION_SET {
+
+struct SolveReport {
+    int iterations = 0;
+    double error = 0;      ///< mean compression left, relative to the rest density
+    bool converged = true; ///< error within the limit
+};
+
+template <class Real, int Dimension>
+class PressureSolver {
+public:
+    using FluidType = Fluid<Real, Dimension>;
+
+    explicit PressureSolver(const PressureOptions& solver_options) : options(solver_options) {}
+    virtual ~PressureSolver() = default;
+
+    /// After neighbors and densities of a step are known.
+    virtual void prepare(const FluidType& /*fluid*/) {}
+
+    /// Takes compression out of the velocities that the fluid has, before forces; a step of dt (s)
+    /// is the measure of its error.
+    virtual SolveReport remove_divergence(FluidType& /*fluid*/, Real /*dt*/) { return {}; }
+
+    /// Adds the pressure accelerations times dt to the velocities.
+    virtual SolveReport solve(FluidType& fluid, Real dt) = 0;
+
+    /// What the next solves start from; one entry a particle in the order of the fluid.
+    std::vector<Real> pressure;   ///< w = p / rho^2, in rest_density h^2/s^2
+    std::vector<Real> divergence; ///< the same for remove_divergence, times the time step
+
+protected:
+    PressureOptions options;
+};
+
+/// The linear system, and relaxed Jacobi iterations on it.
+template <class Real, int Dimension>
+class PressureSystem {
+public:
+    using FluidType = Fluid<Real, Dimension>;
+
+    /// Sets the diagonal.
+    void prepare(const FluidType& fluid) {
+        inverse_diagonal.resize(fluid.count);
+        acceleration.assign(fluid.count + 1, {});
+        response.resize(fluid.count);
+        source.resize(fluid.count);
+        with_kernel<Real, Dimension>(fluid.kernel, [&](auto kernel) {
+            fluid.loop.each(fluid.count, [&](std::size_t i) {
+                VectorSum<Real, Dimension> gradient;
+                Lanes<Real> squares{};
+                visit_neighbors(fluid, i, [&](const NeighborLanes<Real, Dimension>& lanes) {
+                    const Lanes<Real> slope = kernel.gradient(lanes.distance_squared);
+                    gradient.add(slope, lanes.step);
+                    squares += slope * slope * lanes.distance_squared;
+                });
+                const Row<Real> all = plus(fluid.wall_gradient[i], fluid.mass, gradient.total());
+                const Real sum =
+                    dot_rows(all, all) + fluid.mass * fluid.mass * sum_of_lanes<Real>(squares);
+                // Without neighbors there is nothing to push against.
+                inverse_diagonal[i] = sum > static_cast<Real>(1e-6) ? 1 / sum : 0;
+            });
+        });
+    }
+
+    /// Sets the source of each particle: offset(i) + dt times the compression rate of the
+    /// velocities, or 0 and no pressure where takes_part(i) is false.
+    template <class Offset, class TakesPart>
+    void set_source(const FluidType& fluid, Real dt, const Offset& offset,
+                    const TakesPart& takes_part, std::vector<Real>& pressure) {
+        with_kernel<Real, Dimension>(fluid.kernel, [&](auto kernel) {
+            fluid.loop.each(fluid.count, [&](std::size_t i) {
+                const bool takes = takes_part(i) && inverse_diagonal[i] > 0;
+                source[i] =
+                    takes ? offset(i) + dt * compression_rate(fluid, fluid.velocity, i, kernel) : 0;
+                response[i] = takes ? inverse_diagonal[i] : 0;
+                if (!takes)
+                    pressure[i] = 0;
+            });
+        });
+    }
+
+    /// Iterates until the mean compression left, source + dt^2 (rate of the accelerations), is at
+    /// most `limit`; then adds dt times the accelerations to the velocities.
+    SolveReport iterate(FluidType& fluid, Real dt, double limit, const PressureOptions& options,
+                        std::vector<Real>& pressure) {
+        SolveReport report;
+        const Real step = static_cast<Real>(options.relaxation) / (dt * dt);
+        const Real least = options.clip_negative ? 0 : -std::numeric_limits<Real>::infinity();
+        with_kernel<Real, Dimension>(fluid.kernel, [&](auto kernel) {
+            for (;; ++report.iterations) {
+                set_accelerations(fluid, kernel, pressure);
+                report.error = update(fluid, kernel, dt, step, least, pressure);
+                report.converged = report.error <= limit;
+                if (report.iterations >= options.most_iterations ||
+                    (report.converged && report.iterations >= options.least_iterations))
+                    break;
+            }
+        });
+        fluid.loop.each(fluid.count, [&](std::size_t i) {
+            fluid.velocity[i] = plus(fluid.velocity[i], dt, acceleration[i]);
+        });
+        return report;
+    }
+
+private:
+    std::vector<Real> inverse_diagonal;
+    std::vector<Real> response; ///< the same where the particle takes part, else 0
+    std::vector<Real> source;
+    std::vector<Row<Real>> acceleration; ///< one more than particles
+
+    template <class Kernel>
+    void set_accelerations(FluidType& fluid, const Kernel& kernel,
+                           const std::vector<Real>& pressure) {
+        fluid.loop.each(fluid.count, [&](std::size_t i) { fluid.place[i].w = pressure[i]; });
+        fluid.loop.each(fluid.count, [&](std::size_t i) {
+            acceleration[i] = pressure_acceleration(fluid, i, kernel);
+        });
+    }
+
+    /// Moves the pressures; returns the mean compression that they left before.
+    template <class Kernel>
+    double update(const FluidType& fluid, const Kernel& kernel, Real dt, Real step, Real least,
+                  std::vector<Real>& pressure) {
+        const double left = fluid.loop.sum(fluid.count, [&](std::size_t i) -> Real {
+            if (response[i] == 0)
+                return 0;
+            const Real residual =
+                source[i] + dt * dt * compression_rate(fluid, acceleration, i, kernel);
+            pressure[i] = std::max(pressure[i] + step * residual * response[i], least);
+            return std::max(residual, Real(0));
+        });
+        return fluid.count == 0 ? 0 : left / static_cast<double>(fluid.count);
+    }
+};
+
+} // namespace MENISCUS_INSTRUCTION_SET
+} // namespace meniscus

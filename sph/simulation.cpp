@@ -1,0 +1,196 @@
+#include "simulation.hpp"
+
+#include "step.hpp"
+
+#include <meniscus/data/errors.hpp>
+#include <meniscus/data/text.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace meniscus {
+namespace {
+
+double squared_length_of(const Place& vector) {
+    return vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2];
+}
+
+SimulationState first_state(const Scene& scene, const SceneParticles& particles) {
+    const std::size_t count = particles.positions.size();
+    SimulationState state;
+    state.positions = particles.positions;
+    state.velocities = particles.velocities;
+    state.ids.resize(count);
+    std::iota(state.ids.begin(), state.ids.end(), 0U);
+    state.pressures.assign(count, 0);
+    state.divergences.assign(count, 0);
+    if (scene.dimension == 2)
+        for (std::size_t i = 0; i < count; ++i)
+            state.positions[i][2] = state.velocities[i][2] = 0;
+    return state;
+}
+
+void check_state(const SimulationState& state) {
+    const std::size_t count = state.positions.size();
+    if (count >= std::numeric_limits<std::uint32_t>::max() - 8)
+        throw InputError("too many particles for one simulation: " + std::to_string(count));
+    if (state.ids.size() != count || state.velocities.size() != count ||
+        state.pressures.size() != count || state.divergences.size() != count)
+        throw InputError("the arrays of the state to start from differ in length");
+    std::vector<std::uint8_t> seen(count, 0);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (state.ids[i] >= count || seen[state.ids[i]]++ != 0)
+            throw InputError("particle " + std::to_string(i) + " has the id " +
+                             std::to_string(state.ids[i]) +
+                             ", expected each number below the number of particles once");
+        for (int axis = 0; axis < 3; ++axis)
+            if (!std::isfinite(state.positions[i][axis]) ||
+                !std::isfinite(state.velocities[i][axis]))
+                throw InputError("particle " + std::to_string(state.ids[i]) +
+                                 " has a position or velocity that is not finite");
+    }
+}
+
+/// Values in the order of ids.
+template <class Value>
+std::vector<Value> by_id(const std::vector<std::uint32_t>& ids, const std::vector<Value>& values) {
+    std::vector<Value> sorted(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i)
+        sorted[ids[i]] = values[i];
+    return sorted;
+}
+
+template <class Value>
+std::vector<Value> flat(const std::vector<Place>& places) {
+    std::vector<Value> values;
+    values.reserve(3 * places.size());
+    for (const Place& place : places)
+        for (const double coordinate : place)
+            values.push_back(static_cast<Value>(coordinate));
+    return values;
+}
+
+class RunningSimulation : public Simulation {
+public:
+    RunningSimulation(const Scene& its_scene, const SceneParticles& particles,
+                      SimulationState its_state, int threads)
+        : scene(its_scene), mass(particles.mass), walls(particles.walls),
+          now(std::move(its_state)) {
+        check_state(now);
+        stepper = make_step(scene, particles, threads);
+    }
+
+    StepReport step(double longest) override {
+        has_results = false;
+        const StepReport report = stepper->advance(now, longest);
+        has_results = true;
+        return report;
+    }
+
+    [[nodiscard]] std::size_t size() const override { return now.positions.size(); }
+    [[nodiscard]] double time() const override { return now.time; }
+    [[nodiscard]] SimulationState state() const override { return now; }
+
+    [[nodiscard]] Balance balance() const override {
+        Balance sums;
+        for (std::size_t i = 0; i < size(); ++i) {
+            const Place& velocity = now.velocities[i];
+            const Place& place = now.positions[i];
+            const double squared = squared_length_of(velocity);
+            sums.kinetic_energy += mass * squared / 2;
+            sums.momentum_size += mass * std::sqrt(squared);
+            for (int axis = 0; axis < 3; ++axis) {
+                sums.potential_energy -= mass * scene.gravity[axis] * place[axis];
+                sums.momentum[axis] += mass * velocity[axis];
+                sums.center[axis] += place[axis] / static_cast<double>(size());
+            }
+        }
+        if (has_results && scene.surface_tension.model != TensionModel::none)
+            sums.surface_area = stepper->results().surface.area;
+        return sums;
+    }
+
+    [[nodiscard]] Snapshot snapshot() const override {
+        Snapshot frame;
+        frame.dimension = scene.dimension;
+        frame.position_precision = Precision::float64;
+        frame.positions = by_id(now.ids, now.positions);
+        frame.boundary = walls;
+        frame.support_radius = scene.support_radius;
+        frame.particle_spacing = scene.particle_spacing;
+        frame.time = now.time;
+        frame.scene = scene.name;
+        std::vector<std::int64_t> ids(size());
+        std::iota(ids.begin(), ids.end(), 0);
+        set_array(frame, {"id", 1, ids});
+        set_array(frame, {"velocity", 3, flat<float>(by_id(now.ids, now.velocities))});
+        set_array(frame, {"mass", 1, std::vector<float>(size(), static_cast<float>(mass))});
+        if (has_results)
+            add_results(frame);
+        return frame;
+    }
+
+private:
+    Scene scene;
+    double mass;
+    Positions walls;
+    SimulationState now;
+    std::unique_ptr<Step> stepper;
+    bool has_results = false; ///< of the last step, for the particles as they are sorted now
+
+    void add_results(Snapshot& frame) const {
+        const StepResults found = stepper->results();
+        const auto add = [&](const char* name, const std::vector<double>& values) {
+            const auto sorted = by_id(now.ids, values);
+            set_array(frame, {name, 1, std::vector<float>(sorted.begin(), sorted.end())});
+        };
+        add("density", found.density);
+        add("pressure", found.pressure);
+        if (found.surface.surface_class.empty())
+            return;
+        set_array(frame, {"surface_class", 1, by_id(now.ids, found.surface.surface_class)});
+        add("mean_curvature", found.surface.curvature);
+        set_array(frame, {"normal", 3, flat<float>(by_id(now.ids, found.surface.normal))});
+    }
+};
+
+} // namespace
+
+std::unique_ptr<Simulation> simulate(const Scene& scene, const SceneParticles& particles,
+                                     int threads) {
+    return simulate(scene, particles, first_state(scene, particles), threads);
+}
+
+std::unique_ptr<Simulation> simulate(const Scene& scene, const SceneParticles& particles,
+                                     const SimulationState& state, int threads) {
+    return std::make_unique<RunningSimulation>(scene, particles, state, threads);
+}
+
+void report_divergence(std::uint32_t particle, const Place& place, const SimulationState& state,
+                       double density_error) {
+    const std::string when = "the simulation diverged at " + rounded_text(state.time, 6) +
+                             " s (step " + std::to_string(state.steps) + "): ";
+    const std::string advice = "; try a smaller time step, a larger viscosity or a smaller "
+                               "surface-tension coefficient";
+    if (particle == std::numeric_limits<std::uint32_t>::max())
+        throw Divergence(when + "the mean density error is " + rounded_text(density_error, 3) +
+                         advice);
+    const std::string name = "particle " + std::to_string(particle);
+    if (!std::isfinite(squared_length_of(place)))
+        throw Divergence(when + name + " has a position that is not finite" + advice);
+    throw Divergence(when + name + " left the domain at (" + rounded_text(place[0], 6) + ", " +
+                     rounded_text(place[1], 6) + ", " + rounded_text(place[2], 6) +
+                     ") m; if it may go there, give the scene a larger \"domain\"" + advice);
+}
+
+std::unique_ptr<Step> make_step(const Scene& scene, const SceneParticles& particles, int threads) {
+    if (auto widest = make_step_avx512(scene, particles, threads))
+        return widest;
+    if (auto wide = make_step_avx2(scene, particles, threads))
+        return wide;
+    return make_step_baseline(scene, particles, threads);
+}
+
+} // namespace meniscus

@@ -1,0 +1,47 @@
+// One step of a simulation, over a state in SI units and double. What calculates it is compiled for
+// several instruction sets (step_*.cpp), two number types and two dimensions; make_step() picks
+// one.
+#pragma once
+
+#include "simulation.hpp"
+
+#include <memory>
+
+namespace meniscus {
+
+/// What a step left of each particle, beside the state; in the order of the state before it.
+struct StepResults {
+    std::vector<double> density;  ///< where the step began, kg/m^3 (in 2D kg/m^2)
+    std::vector<double> pressure; ///< Pa (in 2D N/m)
+    SurfaceResults surface;
+};
+
+class Step {
+public:
+    virtual ~Step() = default;
+
+    /// Sorts the state's particles by cell, and moves them and their velocities on by one step of
+    /// at most `longest` (s). Throws Divergence.
+    virtual StepReport advance(SimulationState& state, double longest) = 0;
+
+    /// Of the last step; made when asked for.
+    [[nodiscard]] virtual StepResults results() const = 0;
+};
+
+/// Throws Divergence for the particle of that id that left the domain or the numbers, or, where no
+/// particle did (the largest id there is), for the mean density error.
+[[noreturn]] void report_divergence(std::uint32_t particle, const Place& place,
+                                    const SimulationState& state, double density_error);
+
+/// The one for this machine.
+std::unique_ptr<Step> make_step(const Scene& scene, const SceneParticles& particles, int threads);
+
+/// Those for each instruction set; for the tests. Empty where this machine lacks it.
+std::unique_ptr<Step> make_step_baseline(const Scene& scene, const SceneParticles& particles,
+                                         int threads);
+std::unique_ptr<Step> make_step_avx2(const Scene& scene, const SceneParticles& particles,
+                                     int threads);
+std::unique_ptr<Step> make_step_avx512(const Scene& scene, const SceneParticles& particles,
+                                       int threads);
+
+} // namespace meniscus
