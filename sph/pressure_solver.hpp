@@ -58,7 +58,6 @@ public:
     void prepare(const FluidType& fluid) {
         inverse_diagonal.resize(fluid.count);
         acceleration.assign(fluid.count + 1, {});
-        response.resize(fluid.count);
         source.resize(fluid.count);
         with_kernel<Real, Dimension>(fluid.kernel, [&](auto kernel) {
             fluid.loop.each(fluid.count, [&](std::size_t i) {
@@ -79,18 +78,12 @@ public:
     }
 
     /// Sets the source of each particle: offset(i) + dt times the compression rate of the
-    /// velocities, or 0 and no pressure where takes_part(i) is false.
-    template <class Offset, class TakesPart>
-    void set_source(const FluidType& fluid, Real dt, const Offset& offset,
-                    const TakesPart& takes_part, std::vector<Real>& pressure) {
+    /// velocities.
+    template <class Offset>
+    void set_source(const FluidType& fluid, Real dt, const Offset& offset) {
         with_kernel<Real, Dimension>(fluid.kernel, [&](auto kernel) {
             fluid.loop.each(fluid.count, [&](std::size_t i) {
-                const bool takes = takes_part(i) && inverse_diagonal[i] > 0;
-                source[i] =
-                    takes ? offset(i) + dt * compression_rate(fluid, fluid.velocity, i, kernel) : 0;
-                response[i] = takes ? inverse_diagonal[i] : 0;
-                if (!takes)
-                    pressure[i] = 0;
+                source[i] = offset(i) + dt * compression_rate(fluid, fluid.velocity, i, kernel);
             });
         });
     }
@@ -120,7 +113,6 @@ public:
 
 private:
     std::vector<Real> inverse_diagonal;
-    std::vector<Real> response; ///< the same where the particle takes part, else 0
     std::vector<Real> source;
     std::vector<Row<Real>> acceleration; ///< one more than particles
 
@@ -138,11 +130,11 @@ private:
     double update(const FluidType& fluid, const Kernel& kernel, Real dt, Real step, Real least,
                   std::vector<Real>& pressure) {
         const double left = fluid.loop.sum(fluid.count, [&](std::size_t i) -> Real {
-            if (response[i] == 0)
+            if (inverse_diagonal[i] == 0)
                 return 0;
             const Real residual =
                 source[i] + dt * dt * compression_rate(fluid, acceleration, i, kernel);
-            pressure[i] = std::max(pressure[i] + step * residual * response[i], least);
+            pressure[i] = std::max(pressure[i] + step * residual * inverse_diagonal[i], least);
             return std::max(residual, Real(0));
         });
         return fluid.count == 0 ? 0 : left / static_cast<double>(fluid.count);
