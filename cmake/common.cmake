@@ -3,7 +3,7 @@
 # Headers are included as <meniscus/FOLDER/NAME.hpp>, here as in an installed copy. Here that path
 # leads through links in the build tree to the source folders.
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/include/meniscus)
-foreach(folder runtime c_interface data labeler classifier)
+foreach(folder runtime c_interface data labeler classifier sph)
     file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${folder} ${PROJECT_BINARY_DIR}/include/meniscus/${folder}
         SYMBOLIC)
 endforeach()
