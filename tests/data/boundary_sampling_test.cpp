@@ -309,7 +309,7 @@ TEST_F(ObjFile, RandomTextIsReadOrRefused) {
     std::mt19937 generator(5);
     const std::string letters = "vf/ -0123459.e\n\n#nai\r\t";
     int read = 0;
-    for (int k = 0; k < 3000; ++k) {
+    for (int k = 0; k < 500; ++k) {
         std::string text = square + "f 1 2 3\nf 1/1 3//2 -1\n";
         for (int change = 0; change < 1 + k % 5; ++change)
             text[generator() % text.size()] = letters[generator() % letters.size()];
@@ -319,8 +319,8 @@ TEST_F(ObjFile, RandomTextIsReadOrRefused) {
         } catch (const InputError&) {
         }
     }
-    EXPECT_GT(read, 100);
-    EXPECT_LT(read, 2900);
+    EXPECT_GT(read, 20);
+    EXPECT_LT(read, 480);
 }
 
 } // namespace

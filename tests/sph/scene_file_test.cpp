@@ -278,9 +278,7 @@ TEST_F(SceneFile, NamesWhatIsOutOfRange) {
         {"/time_step/largest", {0, 2}}};
     for (const auto& [place, values] : wrong)
         for (const Json& value : values) {
-            std::string key = Json::json_pointer(place).back();
-            if (std::string(place) == "/pressure/most_iterations" && value == 0)
-                key = "most_iterations";
+            const std::string key = Json::json_pointer(place).back();
             expect_mentions(error_with(place, value), {key.c_str()});
         }
 }
@@ -366,7 +364,8 @@ TEST_F(SceneFile, TextChangesWithEveryValue) {
     const std::string text = scene_text(scene(full_scene));
     Json flat = Json::parse(full_scene);
     flat.erase("variants");
-    for (const auto& [place, value] : flat.flatten().items()) {
+    const Json values = flat.flatten();
+    for (const auto& [place, value] : values.items()) {
         if (place == "/dimension" || place.find("/file") != std::string::npos ||
             place == "/pressure/solver" || place == "/surface_tension/model")
             continue;
@@ -375,7 +374,7 @@ TEST_F(SceneFile, TextChangesWithEveryValue) {
         if (value.is_boolean())
             entry = !value.get<bool>();
         else if (value.is_number_integer())
-            entry = value.get<int>() + (place == "/fluid/0/lattice/first/0" ? -1 : 1);
+            entry = value.get<int>() + (place.find("/low/") != std::string::npos ? -1 : 1);
         else if (value.is_number())
             entry = value.get<double>() * 0.99;
         else if (place == "/name")
@@ -394,7 +393,7 @@ TEST_F(SceneFile, RandomlyChangedTextIsReadOrRefused) {
     std::mt19937 generator(6);
     const std::string letters = "{}[]\",:0123456789.-e ntfalsue\\\n";
     int read = 0;
-    for (int k = 0; k < 3000; ++k) {
+    for (int k = 0; k < 500; ++k) {
         std::string text = full_scene;
         for (int change = 0; change < 1 + k % 4; ++change)
             text[generator() % text.size()] = letters[generator() % letters.size()];
@@ -404,8 +403,8 @@ TEST_F(SceneFile, RandomlyChangedTextIsReadOrRefused) {
         } catch (const InputError&) {
         }
     }
-    EXPECT_GT(read, 100);
-    EXPECT_LT(read, 2900);
+    EXPECT_GT(read, 5);
+    EXPECT_LT(read, 480);
 }
 
 } // namespace
