@@ -24,6 +24,8 @@ Positions lattice_places(const Place& first, const std::array<double, 3>& count,
         throw InputError("would have about " + rounded_text(count[0] * count[1] * count[2], 2) +
                          " particles; make it smaller or take a larger particle_spacing");
     Positions places;
+    if (count[0] * count[1] * count[2] == 0)
+        return places; // one of the others may be larger than any int
     for (int i = 0; i < count[0]; ++i)
         for (int j = 0; j < count[1]; ++j)
             for (int k = 0; k < count[2]; ++k) {
