@@ -79,9 +79,9 @@ void print_result(const Scene& scene, const Path& folder, const RunResult& resul
         sums.unconverged_steps > 0
             ? fmt::format(", {} of them not converged", sums.unconverged_steps)
             : "";
-    fmt::print("{}: scene '{}'{}, {} particles, {} frames, {} steps{}, {}{} s\n", folder.string(),
+    fmt::print("{}: scene '{}'{}, {} particles, {} frames, {} steps{}, {} s\n", folder.string(),
                scene.name, resumed, result.particles, result.frames, sums.steps, unconverged,
-               result.finished ? "" : "stopped at ", rounded_text(result.time, 6));
+               rounded_text(result.time, 6));
 }
 
 void run_simulate(const SimulateCommand& command) {

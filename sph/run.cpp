@@ -163,9 +163,18 @@ private:
         result.particles = at.state.positions.size();
         result.finished = is_finished();
         if (!result.finished)
-            simulation = simulate(scene, filled(), at.state, result.threads);
+            simulation = resumed(filled(), file);
         at.state = {};
         last_checkpoint = Clock::now();
+    }
+
+    std::unique_ptr<Simulation> resumed(const SceneParticles& particles, const fs::path& file) {
+        if (particles.positions.size() != at.state.positions.size())
+            throw InputError(file.string() + ": has " + std::to_string(at.state.positions.size()) +
+                             " particles, expected the scene's " +
+                             std::to_string(particles.positions.size()) +
+                             "; --restart starts the scene over");
+        return simulate(scene, particles, at.state, result.threads);
     }
 
     SceneParticles filled() {

@@ -1,5 +1,5 @@
 // The log of a run: one row of a CSV file for each frame, with sums over the fluid at the frame and
-// means over the steps since the frame before. docs/scenes.md lists the columns. No times of the
+// means over the steps since the frame before. docs/file_formats.md lists the columns. No times of the
 // machine are in it: the same scene gives the same bytes.
 #pragma once
 
