@@ -180,8 +180,12 @@ TEST_F(Simulate, GivesTheSameBytesWhateverTheThreads) {
     const Path scene = save_scene(tank());
     for (const std::string solver : {"dfsph", "iisph", "pcisph"})
         for (const std::string threads : {"1", "2", "3"}) {
-            succeed({"simulate", scene, "-o", folder / (solver + threads), "--threads", threads,
-                     "--set", "pressure.solver=" + solver, "--duration", "0.06"});
+            // Threads that wait actively for others take very long where those do not get a core.
+            const Outcome outcome =
+                run(Words{"env", "OMP_WAIT_POLICY=passive"} + program +
+                    Words{"simulate", scene, "-o", folder / (solver + threads), "--threads",
+                          threads, "--set", "pressure.solver=" + solver, "--duration", "0.06"});
+            EXPECT_EQ(outcome.status, 0) << outcome.errors;
             expect_same_files(solver + "1", solver + threads);
         }
 }
