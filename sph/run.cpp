@@ -42,6 +42,15 @@ struct FrameTimes {
     }
 };
 
+/// The longest that a step may be, s, when a frame is due in `remaining`: such that the steps up to
+/// it end there, with none much smaller than the others where they are about as long as the usual
+/// one. `rounding` is far below both.
+double longest_step(double remaining, double usual, double rounding) {
+    const bool one_step_is_enough = remaining <= usual + rounding;
+    const bool more_than_two_remain = remaining >= 2 * usual - rounding;
+    return one_step_is_enough || more_than_two_remain ? remaining : remaining / 2;
+}
+
 bool is_frame_of(const Scene& scene, const fs::path& file) {
     const std::string stem = file.stem().string();
     const std::string start = scene.name + "_";
@@ -240,12 +249,6 @@ fs::path log_file(const Scene& scene, const fs::path& folder) {
 
 fs::path checkpoint_file(const Scene& scene, const fs::path& folder) {
     return folder / (scene.name + "_checkpoint" + extension);
-}
-
-double longest_step(double remaining, double usual, double rounding) {
-    const bool one_step_is_enough = remaining <= usual + rounding;
-    const bool more_than_two_remain = remaining >= 2 * usual - rounding;
-    return one_step_is_enough || more_than_two_remain ? remaining : remaining / 2;
 }
 
 RunResult run_scene(const Scene& scene, const RunOptions& options) {

@@ -47,11 +47,6 @@ std::filesystem::path frame_file(const Scene& scene, const std::filesystem::path
 std::filesystem::path log_file(const Scene& scene, const std::filesystem::path& folder);
 std::filesystem::path checkpoint_file(const Scene& scene, const std::filesystem::path& folder);
 
-/// The longest that a step may be, s, when a frame is due in `remaining`: such that the steps up to
-/// it end there, with none much smaller than the others where they are about as long as the usual
-/// one. `rounding` is far below both.
-double longest_step(double remaining, double usual, double rounding);
-
 /// Runs the scene from the checkpoint in the folder or, where there is none, from its first state.
 /// Frames are at 0, one interval, two..., and at the duration. Throws InputError where the folder
 /// holds a checkpoint that does not fit, or frames of the scene and no checkpoint; Divergence, with
