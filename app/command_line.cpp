@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <limits>
 #include <map>
+#include <sys/ioctl.h>
 #include <system_error>
 #include <unistd.h>
 
@@ -50,6 +51,10 @@ WriteGuard::~WriteGuard() {
     writing = 0;
     if (interrupt_waits != 0)
         end_interrupted();
+}
+
+bool interrupt_is_waiting() {
+    return interrupt_waits != 0;
 }
 
 void add_quiet_option(CLI::App& verb, bool& quiet) {
@@ -134,6 +139,26 @@ void ProgressBar::show(std::size_t done) {
     fmt::print(stderr, "\r{} [{:=<{}}{: <{}}] {:3} %", title, "", filled, "", width - filled,
                percent);
     std::fflush(stderr);
+}
+
+StatusLine::StatusLine(bool quiet) : visible(!quiet && isatty(STDERR_FILENO) != 0) {}
+
+StatusLine::~StatusLine() {
+    if (shown.time_since_epoch().count() != 0)
+        std::fputs("\r\033[K", stderr);
+}
+
+bool StatusLine::is_due() const {
+    return visible && std::chrono::steady_clock::now() - shown > std::chrono::milliseconds(200);
+}
+
+void StatusLine::print(const std::string& text) {
+    winsize size{};
+    const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
+    const std::size_t width = known ? size.ws_col - 1U : 79U;
+    fmt::print(stderr, "\r\033[K{}", text.substr(0, width));
+    std::fflush(stderr);
+    shown = std::chrono::steady_clock::now();
 }
 
 } // namespace meniscus

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <chrono>
 #include <cstddef>
 #include <filesystem>
 #include <stdexcept>
@@ -21,6 +22,7 @@ public:
 };
 
 // The verbs.
+void add_simulate(CLI::App& command);
 void add_label(CLI::App& command);
 void add_train(CLI::App& command);
 void add_calibrate(CLI::App& command);
@@ -74,6 +76,30 @@ private:
     int shown_percent = -1;
 };
 
+/// One line on standard error that says how something long comes along; silent where that is no
+/// terminal, and changed a few times a second at most.
+class StatusLine {
+public:
+    explicit StatusLine(bool quiet);
+    ~StatusLine();
+    StatusLine(const StatusLine&) = delete;
+    StatusLine& operator=(const StatusLine&) = delete;
+
+    /// Shows what `text()` returns, cut to the width of the terminal, where it is time to.
+    template <class Text>
+    void show(const Text& text) {
+        if (is_due())
+            print(text());
+    }
+
+private:
+    bool visible;
+    std::chrono::steady_clock::time_point shown{};
+
+    [[nodiscard]] bool is_due() const;
+    void print(const std::string& text);
+};
+
 /// From now on an interrupt (Ctrl-C, SIGTERM, a terminal that closes) ends the program with status
 /// 130, at once or, while a file is being written, right after: files appear whole or not at all. A
 /// file that outgrows a limit on its size becomes an ordinary error of writing.
@@ -87,5 +113,8 @@ public:
     WriteGuard(const WriteGuard&) = delete;
     WriteGuard& operator=(const WriteGuard&) = delete;
 };
+
+/// Whether an interrupt waits for a WriteGuard to end.
+bool interrupt_is_waiting();
 
 } // namespace meniscus

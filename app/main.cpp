@@ -46,13 +46,14 @@ int main(int argument_count, char** arguments) {
     try {
         meniscus::install_interrupt_handler();
         CLI::App command(
-            "Finds the free surface of SPH fluids: label snapshots, train a line, export "
-            "it, audit it.",
+            "Finds the free surface of SPH fluids: simulate scenes, label snapshots, train "
+            "a line, export it, audit it.",
             "meniscus");
         command.set_version_flag("--version", std::string("meniscus ") + meniscus::program_version);
         // run() notices that there is none; the parser names a wrong one.
         command.require_subcommand(0, 1);
         command.get_formatter()->column_width(36);
+        meniscus::add_simulate(command);
         meniscus::add_label(command);
         meniscus::add_train(command);
         meniscus::add_calibrate(command);

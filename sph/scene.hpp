@@ -140,11 +140,14 @@ struct Scene {
     TimeStepOptions time_step;
 };
 
-/// Reads a scene, with the variant of that name merged in ("" for none). Throws InputError, naming
-/// file and key, where a key is unknown (with the nearest valid spelling), missing, of the wrong
-/// type or out of range, where two contradict each other, and where the file has no such variant
-/// (with those that it has).
-Scene read_scene(const std::filesystem::path& file, const std::string& variant);
+/// Reads a scene, with the variant of that name merged in ("" for none), and then the changes, each
+/// a "key=value" such as "pressure.solver=iisph": the value is JSON or, where that cannot be, a
+/// text; null takes the key out. Throws InputError, naming file and key, where a key is unknown
+/// (with the nearest valid spelling), missing, of the wrong type or out of range, where two
+/// contradict each other, where the file has no such variant (with those that it has), and where a
+/// change has no key.
+Scene read_scene(const std::filesystem::path& file, const std::string& variant,
+                 const std::vector<std::string>& changes = {});
 
 /// The variants that a scene's file has, besides the small one.
 std::vector<std::string> scene_variants(const std::filesystem::path& file);

@@ -403,6 +403,30 @@ Json merged(const Json& json, const std::filesystem::path& file, const std::stri
     return scene;
 }
 
+/// "a.b=1" as {"a": {"b": 1}}.
+Json patch_of(const std::string& change) {
+    const std::size_t equals = change.find('=');
+    const std::string key = change.substr(0, equals);
+    if (equals == std::string::npos || key.empty() || key.front() == '.' || key.back() == '.' ||
+        key.find("..") != std::string::npos)
+        throw InputError("the change " + quoted_text(change) +
+                         " must be of the form key=value, such as pressure.solver=iisph");
+    const std::string value = change.substr(equals + 1);
+    Json patch = Json::parse(value, nullptr, false);
+    if (patch.is_discarded())
+        patch = value;
+    std::size_t end = key.size();
+    while (end != std::string::npos) {
+        const std::size_t dot = key.rfind('.', end - 1);
+        const std::size_t begin = dot == std::string::npos ? 0 : dot + 1;
+        Json outer;
+        outer[key.substr(begin, end - begin)] = std::move(patch);
+        patch = std::move(outer);
+        end = dot;
+    }
+    return patch;
+}
+
 Json json_of(const Place& place) {
     return {place[0] + 0.0, place[1] + 0.0, place[2] + 0.0}; // -0 is 0
 }
@@ -495,8 +519,11 @@ void add_shapes(const Scene& scene, Json& json) {
 
 } // namespace
 
-Scene read_scene(const std::filesystem::path& file, const std::string& variant) {
-    const Json json = merged(read_scene_json(file), file, variant);
+Scene read_scene(const std::filesystem::path& file, const std::string& variant,
+                 const std::vector<std::string>& changes) {
+    Json json = merged(read_scene_json(file), file, variant);
+    for (const std::string& change : changes)
+        json.merge_patch(patch_of(change));
     const std::string shown_file =
         file.string() + (variant.empty() ? "" : ", variant '" + variant + "'");
     Scene scene = scene_from(JsonReader(json, shown_file, ""), file.parent_path());

@@ -101,6 +101,7 @@ public:
             const double squared = squared_length_of(velocity);
             sums.kinetic_energy += mass * squared / 2;
             sums.momentum_size += mass * std::sqrt(squared);
+            sums.largest_speed = std::max(sums.largest_speed, std::sqrt(squared));
             for (int axis = 0; axis < 3; ++axis) {
                 sums.potential_energy -= mass * scene.gravity[axis] * place[axis];
                 sums.momentum[axis] += mass * velocity[axis];

@@ -55,6 +55,7 @@ struct Balance {
     Place momentum{};            ///< kg m/s
     double momentum_size = 0;    ///< sum of |m v|
     Place center{};              ///< of mass, m
+    double largest_speed = 0;    ///< m/s
 };
 
 /// All that the next step depends on. Arrays have one entry a particle, in the order that the step

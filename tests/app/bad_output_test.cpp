@@ -23,9 +23,11 @@ protected:
         return {{"label", input, "-o", below, "--samples", "500"},
                 {"classify", input, "--model", model, "-o", below},
                 {"train", labelled, "-o", below / "trained.json"},
-                {"export", model, "-o", below / "header.hpp"}};
+                {"export", model, "-o", below / "header.hpp"},
+                {"simulate", scene, "-o", below}};
     }
 
+    const Path scene = Path(MENISCUS_MODELS).parent_path() / "scenes" / "drop_2d.json";
     Path input;
     Path labelled;
     const Path model = folder / "model.json";
@@ -42,6 +44,7 @@ TEST_F(BadOutput, FolderThatCannotBe) {
 TEST_F(BadOutput, FolderWithoutAName) {
     fail(2, {"label", input, "-o", ""}, {"output folder is empty"});
     fail(2, {"classify", input, "--model", model, "-o", ""}, {"output folder is empty"});
+    fail(2, {"simulate", scene, "-o", ""}, {"output folder is empty"});
 }
 
 TEST_F(BadOutput, FolderWithoutPermission) {
@@ -102,6 +105,8 @@ TEST_F(BadOutput, FileTooLarge) {
     const Words limited = {"sh", "-c", "ulimit -f 4 && exec \"$@\"", "sh"};
     for (const std::size_t verb : {0U, 1U})
         fail_as(3, limited + program + writers(folder / "out")[verb], {"out/block.vtkhdf"});
+    EXPECT_TRUE(std::filesystem::is_empty(folder / "out"));
+    fail_as(3, limited + program + writers(folder / "out")[4], {"out/drop_2d_checkpoint.vtkhdf"});
     EXPECT_TRUE(std::filesystem::is_empty(folder / "out"));
 }
 

@@ -7,7 +7,8 @@ namespace {
 
 using Usage = CommandLine;
 
-constexpr const char* verbs[] = {"label", "train", "export", "audit", "classify", "demo"};
+constexpr const char* verbs[] = {"simulate", "label",    "train", "export",
+                                 "audit",    "classify", "demo"};
 
 TEST_F(Usage, HelpOfEveryVerb) {
     const std::string overview = succeed({"--help"});

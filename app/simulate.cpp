@@ -1,0 +1,148 @@
+// meniscus simulate: runs a scene and writes its frames, its log and its checkpoints.
+#include "command_line.hpp"
+
+#include <meniscus/data/errors.hpp>
+#include <meniscus/data/snapshot_files.hpp>
+#include <meniscus/data/text.hpp>
+#include <meniscus/sph/run.hpp>
+
+#include <fmt/format.h>
+#include <memory>
+
+namespace meniscus {
+namespace {
+
+struct SimulateCommand {
+    Path scene;
+    Path folder;
+    Path profile; ///< file; empty for none
+    std::string variant;
+    std::vector<std::string> changes;
+    std::string duration; ///< s; empty: the scene's
+    RunOptions run;
+    bool quiet = false;
+};
+
+/// "12 s", "3 min", "2.5 h".
+std::string span_text(double seconds) {
+    if (seconds < 100)
+        return fmt::format("{:.0f} s", seconds);
+    if (seconds < 6000)
+        return fmt::format("{:.0f} min", seconds / 60);
+    return fmt::format("{:.1f} h", seconds / 3600);
+}
+
+/// Says how far a run is and, from what this process has done of it, when it will end.
+class RunStatus {
+public:
+    RunStatus(double its_duration, bool quiet) : duration(its_duration), line(quiet) {}
+
+    void show(const StepReport& report) {
+        line.show([&] {
+            if (start < 0) { // of what is measured, not of the run
+                start = report.time;
+                started = Clock::now();
+            }
+            return text(report);
+        });
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    double duration;
+    StatusLine line;
+    double start = -1;
+    Clock::time_point started;
+
+    [[nodiscard]] std::string text(const StepReport& report) const {
+        const double passed = std::chrono::duration<double>(Clock::now() - started).count();
+        const double done = report.time - start;
+        const std::string left =
+            done > 0 ? ", " + span_text(passed * (duration - report.time) / done) + " left" : "";
+        return fmt::format("{:.4f} / {} s ({:.0f} %), step {:.3g} ms, {} + {} iterations{}",
+                           report.time, rounded_text(duration, 4), 100 * report.time / duration,
+                           1000 * report.time_step, report.pressure_iterations,
+                           report.divergence_iterations, left);
+    }
+};
+
+void print_result(const Scene& scene, const Path& folder, const RunResult& result) {
+    const StepSums& sums = result.profile.sums;
+    if (result.finished && sums.steps == 0) {
+        fmt::print("{}: scene '{}' is finished already, {} frames; --restart starts it over\n",
+                   folder.string(), scene.name, result.frames);
+        return;
+    }
+    const std::string resumed =
+        result.start > 0 ? fmt::format(" from {} s on", rounded_text(result.start, 6)) : "";
+    const std::string unconverged =
+        sums.unconverged_steps > 0
+            ? fmt::format(", {} of them not converged", sums.unconverged_steps)
+            : "";
+    fmt::print("{}: scene '{}'{}, {} particles, {} frames, {} steps{}, {} s\n", folder.string(),
+               scene.name, resumed, result.particles, result.frames, sums.steps, unconverged,
+               rounded_text(result.time, 6));
+}
+
+void run_simulate(const SimulateCommand& command) {
+    std::vector<std::string> changes = command.changes;
+    if (!command.duration.empty())
+        changes.push_back("duration=" + command.duration);
+    const Scene scene = read_scene(command.scene, command.variant, changes);
+    if (!command.profile.empty())
+        check_can_be_written(command.profile);
+    make_writable_folder(command.folder);
+    RunResult result;
+    {
+        const WriteGuard guard; // an interrupt waits for the step, and for the checkpoint after it
+        RunStatus status(scene.duration, command.quiet);
+        RunOptions options = command.run;
+        options.folder = command.folder;
+        options.on_step = [&](const StepReport& report) { status.show(report); };
+        options.stop = interrupt_is_waiting;
+        result = run_scene(scene, options);
+        if (!command.profile.empty() && result.profile.sums.steps > 0)
+            write_whole(command.profile, profile_text(scene, result));
+    }
+    if (!command.quiet)
+        print_result(scene, command.folder, result);
+}
+
+void add_run_options(CLI::App& verb, RunOptions& run) {
+    verb.add_option("--checkpoint-interval", run.checkpoint_interval,
+                    "Time between two checkpoints in s, not simulated but on the clock")
+        ->check(CLI::Range(0.0, 1e9))
+        ->capture_default_str();
+    verb.add_flag("--restart", run.restart,
+                  "Start over: removes frames, log and checkpoint that an earlier run of the scene "
+                  "left in the folder, from which the run would go on otherwise");
+    add_threads_option(verb, run.threads);
+}
+
+} // namespace
+
+void add_simulate(CLI::App& command) {
+    auto options = std::make_shared<SimulateCommand>();
+    auto* verb = command.add_subcommand(
+        "simulate",
+        "Run a scene: a snapshot for each frame, DIR/<scene>_<frame>.vtkhdf, and a log, "
+        "DIR/<scene>_log.csv. The same command goes on where it was ended");
+    verb->add_option("SCENE", options->scene, "Scene file (JSON, see docs/scenes.md)")->required();
+    verb->add_option("-o,--output", options->folder, "Folder for what the run writes")->required();
+    verb->add_option("--variant", options->variant, "Variant of the scene that its file names");
+    verb->add_option("--set", options->changes,
+                     "Change of the scene, KEY=VALUE, such as pressure.solver=iisph; the value is "
+                     "JSON or a text, null takes the key out. May be given several times")
+        ->allow_extra_args(false)
+        ->type_name("KEY=VALUE");
+    verb->add_option("--duration", options->duration,
+                     "Simulated time in s; the same as --set "
+                     "duration=VALUE");
+    verb->add_option("--profile", options->profile,
+                     "JSON file for mean times of the steps' stages");
+    add_run_options(*verb, options->run);
+    add_quiet_option(*verb, options->quiet);
+    verb->callback([options] { run_simulate(*options); });
+}
+
+} // namespace meniscus
