@@ -1,8 +1,7 @@
 #include "calibration.hpp"
 
-#include "json_reader.hpp"
-
 #include <meniscus/data/errors.hpp>
+#include <meniscus/data/json_reader.hpp>
 #include <meniscus/data/text.hpp>
 #include <meniscus/runtime/sample_directions.hpp>
 

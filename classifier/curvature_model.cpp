@@ -1,8 +1,7 @@
 #include "curvature_model.hpp"
 
-#include "json_reader.hpp"
-
 #include <meniscus/data/errors.hpp>
+#include <meniscus/data/json_reader.hpp>
 #include <meniscus/data/text.hpp>
 
 #include <algorithm>

@@ -1,9 +1,8 @@
 #include "model.hpp"
 
-#include "json_reader.hpp"
-
 #include <meniscus/data/boundary_rule.hpp>
 #include <meniscus/data/errors.hpp>
+#include <meniscus/data/json_reader.hpp>
 #include <meniscus/data/text.hpp>
 
 #include <algorithm>

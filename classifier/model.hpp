@@ -2,6 +2,8 @@
 // where it can be trusted. Stored as JSON (docs/file_formats.md).
 #pragma once
 
+#include <meniscus/data/range.hpp>
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -22,11 +24,6 @@ struct Line {
 inline bool predicts_surface(const Line& line, double mass_offset, double neighbor_count) {
     return neighbor_count == 0 || neighbor_count <= line.k * mass_offset + line.d;
 }
-
-struct Range {
-    double min = 0;
-    double max = 0;
-};
 
 struct TrainingFile {
     std::string name; ///< without folder

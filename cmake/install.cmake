@@ -9,6 +9,7 @@ foreach(folder runtime data labeler)
         PATTERN "deflate.hpp" EXCLUDE
         PATTERN "exact_labels*.hpp" EXCLUDE
         PATTERN "hdf5_source.hpp" EXCLUDE
+        PATTERN "json_reader.hpp" EXCLUDE
         PATTERN "legacy_vtk_numbers.hpp" EXCLUDE)
 endforeach()
 install(FILES ${PROJECT_BINARY_DIR}/include/meniscus/version.hpp
@@ -20,6 +21,9 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/configs/models/
     DESTINATION ${CMAKE_INSTALL_DATADIR}/meniscus/models FILES_MATCHING PATTERN "*.json")
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/configs/curvature/
     DESTINATION ${CMAKE_INSTALL_DATADIR}/meniscus/curvature FILES_MATCHING PATTERN "*.json")
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/configs/scenes/
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/meniscus/scenes
+    FILES_MATCHING PATTERN "*.json" PATTERN "*.obj")
 
 install(TARGETS meniscus_runtime meniscus_neighbor_search meniscus_data meniscus_labeler
     meniscus_c

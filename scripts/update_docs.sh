@@ -3,7 +3,7 @@
 # comments, and draws the plots. Takes some minutes, curvature half an hour; speed wants an otherwise
 # idle machine, sampling and normals Debian's python3-matplotlib.
 # Usage: scripts/update_docs.sh [TABLES]   (default: all)
-# TABLES: accuracy, speed, sampling, force, surface-speed, normals or curvature
+# TABLES: accuracy, speed, sampling, force, surface-speed, normals, curvature or scenes
 set -euo pipefail
 cd "$(dirname "$0")/.."
 bin=build/release/bin
@@ -77,4 +77,7 @@ if wanted curvature; then
         replace docs/curvature.md curvature-ellipsoid
     "$bin/curvature_accuracy" droplet data/samples/cube_iisph_05.vtkhdf |
         replace docs/curvature.md curvature-droplet
+fi
+if wanted scenes; then
+    "$bin/scene_table" configs/scenes/*.json | replace docs/scenes.md scenes
 fi

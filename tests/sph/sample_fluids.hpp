@@ -43,7 +43,7 @@ public:
     explicit SampleFluid(PlainFluid& plain) {
         fluid.units = {plain.h, plain.rest_density, {}};
         fluid.kernel = plain.kernel_kind;
-        fluid.loop.loop.threads = 2;
+        fluid.loop.loop.threads = 1;
         fluid.mass =
             static_cast<Real>(plain.mass / (plain.rest_density * std::pow(plain.h, Dimension)));
         plain.velocities.resize(plain.size());

@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <set>
 
 namespace meniscus {
 namespace {
 
 constexpr double largest_count = 1e15;
+constexpr int deepest_nesting = 100;
 
 std::string shown(const Json& value) {
     std::string text = value.dump(-1, ' ', true, Json::error_handler_t::replace);
@@ -25,17 +27,62 @@ std::string between(double least, double largest) {
     return number_text(least) + " to " + number_text(largest);
 }
 
+std::string listed(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words)
+        text += (text.empty() ? "" : ", ") + word;
+    return text;
+}
+
+/// Damerau's and Levenshtein's distance, in which no letter is edited twice.
+std::size_t edits_between(const std::string& a, const std::string& b) {
+    std::vector<std::vector<std::size_t>> edits(a.size() + 1,
+                                                std::vector<std::size_t>(b.size() + 1));
+    for (std::size_t i = 0; i <= a.size(); ++i)
+        for (std::size_t j = 0; j <= b.size(); ++j) {
+            if (i == 0 || j == 0) {
+                edits[i][j] = i + j;
+                continue;
+            }
+            edits[i][j] = std::min({edits[i - 1][j] + 1, edits[i][j - 1] + 1,
+                                    edits[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                edits[i][j] = std::min(edits[i][j], edits[i - 2][j - 2] + 1);
+        }
+    return edits[a.size()][b.size()];
+}
+
 } // namespace
+
+const std::string& nearest_spelling(const std::string& misspelt,
+                                    const std::vector<std::string>& words) {
+    const std::string start = misspelt.substr(0, 100); // longer ones resemble nothing
+    return *std::min_element(words.begin(), words.end(), [&](const auto& a, const auto& b) {
+        return edits_between(start, a) < edits_between(start, b);
+    });
+}
 
 Json parse_json(const std::string& text, const std::string& file, const std::string& what) {
     std::string key;
-    const auto remember_key = [&](int, Json::parse_event_t event, Json& parsed) {
-        if (event == Json::parse_event_t::key)
+    std::vector<std::set<std::string>> keys_of_open_objects;
+    const auto watch = [&](int depth, Json::parse_event_t event, Json& parsed) {
+        if (depth > deepest_nesting)
+            throw InputError(file + " is not " + what + ": brackets nest more than " +
+                             std::to_string(deepest_nesting) + " deep");
+        if (event == Json::parse_event_t::object_start)
+            keys_of_open_objects.emplace_back();
+        if (event == Json::parse_event_t::object_end)
+            keys_of_open_objects.pop_back();
+        if (event == Json::parse_event_t::key) {
             key = parsed.get<std::string>();
+            if (!keys_of_open_objects.back().insert(key).second)
+                throw InputError(file + ": an object has the key " + quoted_text(key) +
+                                 " twice; leave one out");
+        }
         return true;
     };
     try {
-        return Json::parse(text, remember_key);
+        return Json::parse(text, watch);
     } catch (const nlohmann::json::out_of_range&) {
         throw InputError(file + ": '" + key + "' must be a finite number, found one too large");
     } catch (const nlohmann::json::parse_error& error) {
@@ -150,15 +197,21 @@ std::vector<JsonReader> JsonReader::objects(const char* key) const {
     return objects;
 }
 
+std::size_t JsonReader::choice(const char* key, const std::vector<std::string>& texts) const {
+    const std::string found = text(key);
+    const auto place = std::find(texts.begin(), texts.end(), found);
+    if (place == texts.end())
+        refuse(key, "one of " + listed(texts) + " (did you mean '" +
+                        nearest_spelling(found, texts) + "'?)");
+    return place - texts.begin();
+}
+
 void JsonReader::expect_only(const std::vector<std::string>& keys) const {
     for (const auto& item : object.items())
-        if (std::find(keys.begin(), keys.end(), item.key()) == keys.end()) {
-            std::string expected;
-            for (const std::string& key : keys)
-                expected += (expected.empty() ? "" : ", ") + key;
-            throw InputError(file + ": nothing has the key '" + path(item.key()) + "'; expected " +
-                             expected);
-        }
+        if (std::find(keys.begin(), keys.end(), item.key()) == keys.end())
+            throw InputError(file + ": there is no key " + quoted_text(path(item.key())) +
+                             "; did you mean '" + nearest_spelling(item.key(), keys) +
+                             "'? Keys here: " + listed(keys));
 }
 
 std::string JsonReader::path(const std::string& key) const {

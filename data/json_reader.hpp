@@ -2,10 +2,11 @@
 // a value that is not names its file and its key. Integers, texts and lists have one way each.
 #pragma once
 
-#include "model.hpp"
+#include "range.hpp"
 
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,11 +16,18 @@ namespace meniscus {
 using Json = nlohmann::ordered_json;
 
 /// Parses. Throws InputError that names the file, what it should be ("a model") and the last key
-/// that was read, where the text breaks off or a number overflows.
+/// that was read, where the text breaks off, a number overflows, an object has a key twice, or
+/// brackets nest more than 100 deep.
 Json parse_json(const std::string& text, const std::string& file, const std::string& what);
 
 /// The whole file as text. Throws InputError, with what was expected, where it cannot be read.
 std::string text_of_file(const std::filesystem::path& file, const std::string& expected);
+
+/// Which of the words, of which there is at least one, takes the fewest edits (a letter put in,
+/// left out or replaced, two neighbors exchanged) to make of the misspelt one; the first of
+/// several.
+const std::string& nearest_spelling(const std::string& misspelt,
+                                    const std::vector<std::string>& words);
 
 /// One JSON object of a file, which must outlive it. Every member throws InputError, naming file
 /// and key, where the key is missing or the value is not what was asked for.
@@ -42,7 +50,10 @@ public:
     [[nodiscard]] std::vector<std::string> texts(const char* key) const;
     [[nodiscard]] JsonReader object_at(const char* key) const;
     [[nodiscard]] std::vector<JsonReader> objects(const char* key) const;
-    /// Refuses keys that are none of these, which are mostly misspelt ones.
+    /// Which of these texts, of which there is at least one, stands there.
+    [[nodiscard]] std::size_t choice(const char* key, const std::vector<std::string>& texts) const;
+    /// Refuses keys that are none of these, which are mostly misspelt ones, with the nearest of
+    /// these and all of them.
     void expect_only(const std::vector<std::string>& keys) const;
 
 private:
