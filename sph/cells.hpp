@@ -139,15 +139,15 @@ void sort_into_cells(const Row<Real>* places, std::size_t count, const Loop& loo
 
 namespace cells_of {
 
-/// For each set of lanes their numbers, first to last, as bytes of one word.
+/// For each set of lanes their numbers, first to last.
 struct LaneTable {
-    std::uint64_t lanes[256];
+    alignas(32) std::uint32_t lanes[256][lane_count];
     constexpr LaneTable() : lanes{} {
         for (unsigned bits = 0; bits < 256; ++bits) {
             int found = 0;
-            for (unsigned lane = 0; lane < 8; ++lane)
+            for (unsigned lane = 0; lane < lane_count; ++lane)
                 if ((bits >> lane & 1U) != 0)
-                    lanes[bits] |= std::uint64_t{lane} << (8 * found++);
+                    lanes[bits][found++] = lane;
         }
     }
 };
@@ -155,16 +155,32 @@ inline constexpr LaneTable lane_table{};
 
 /// Appends first + each set lane; writes eight entries whatever their number.
 MENISCUS_INLINE std::uint32_t* append(unsigned bits, std::uint32_t first, std::uint32_t* to) {
-    using Bytes = std::uint8_t __attribute__((vector_size(8)));
     using Words = std::uint32_t __attribute__((vector_size(32)));
-    Bytes lanes;
-    std::memcpy(&lanes, &lane_table.lanes[bits], sizeof lanes);
-    const Words found = __builtin_convertvector(lanes, Words) + first;
+    Words found;
+    std::memcpy(&found, lane_table.lanes[bits], sizeof found);
+    found += first;
     std::memcpy(to, &found, sizeof found);
     return to + __builtin_popcount(bits);
 }
 
 } // namespace cells_of
+
+/// For each cell whether there is a particle in it or next to it.
+template <class Real>
+std::vector<std::uint8_t> occupied_surroundings(const Cells<Real>& cells) {
+    const auto& layout = cells.layout;
+    const auto [nx, ny, nz] = layout.count;
+    std::vector<std::uint8_t> occupied(layout.cells(), 0);
+    for (std::int32_t z = 0; z < nz; ++z)
+        for (std::int32_t y = 0; y < ny; ++y)
+            for (std::int32_t x = 0; x < nx; ++x)
+                for (std::int32_t c = std::max(z - 1, 0); c <= std::min(z + 1, nz - 1); ++c)
+                    for (std::int32_t b = std::max(y - 1, 0); b <= std::min(y + 1, ny - 1); ++b)
+                        if (cells.start[layout.index(std::max(x - 1, 0), b, c)] !=
+                            cells.start[layout.index(std::min(x + 1, nx - 1), b, c) + 1])
+                            occupied[layout.index(x, y, z)] = 1;
+    return occupied;
+}
 
 /// Neighbors one after another, with room to write beyond the last.
 struct IndexBuffer {

@@ -19,15 +19,12 @@ public:
     SolveReport remove_divergence(FluidType& fluid, Real dt) override {
         if (this->options.divergence_error == 0)
             return {};
-        // At the surface the velocities of few neighbors say little about compression.
-        constexpr std::uint32_t fewest = Dimension == 3 ? 20 : 7;
-        const auto takes_part = [&](std::size_t i) {
-            return fluid.neighbors.count[i] + fluid.wall_neighbors.count[i] >= fewest;
-        };
         for (Real& value : this->divergence) // kept times dt, since the step may change
             value /= dt;
-        system.set_source(
-            fluid, dt, [](std::size_t) { return Real(0); }, takes_part, this->divergence);
+        // Below the rest density there is room: without it, a fluid that starts or tears loose
+        // would keep its holes forever.
+        system.set_source(fluid, dt,
+                          [&](std::size_t i) { return std::min(fluid.density[i] - 1, Real(0)); });
         const SolveReport report = system.iterate(fluid, dt, this->options.divergence_error,
                                                   this->options, this->divergence);
         for (Real& value : this->divergence)
@@ -36,9 +33,7 @@ public:
     }
 
     SolveReport solve(FluidType& fluid, Real dt) override {
-        system.set_source(
-            fluid, dt, [&](std::size_t i) { return fluid.density[i] - 1; },
-            [](std::size_t) { return true; }, this->pressure);
+        system.set_source(fluid, dt, [&](std::size_t i) { return fluid.density[i] - 1; });
         return system.iterate(fluid, dt, this->options.density_error, this->options,
                               this->pressure);
     }

@@ -35,9 +35,9 @@ struct ParticleLoop {
     template <class Value>
     [[nodiscard]] double sum(std::size_t count, const Value& value) const {
         std::vector<double> parts(count / part_size + 1, 0.0);
-        loop(parts.size() * part_size, [&](std::size_t begin, std::size_t end, int /*worker*/) {
-            for (std::size_t i = begin; i < std::min(end, count); ++i)
-                parts[i / part_size] += static_cast<double>(value(i));
+        each_part(count, [&](std::size_t part, std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                parts[part] += static_cast<double>(value(i));
         });
         double total = 0;
         for (const double part : parts)
@@ -49,16 +49,24 @@ struct ParticleLoop {
     template <class Value>
     [[nodiscard]] double largest(std::size_t count, double least, const Value& value) const {
         std::vector<double> parts(count / part_size + 1, least);
-        loop(parts.size() * part_size, [&](std::size_t begin, std::size_t end, int /*worker*/) {
-            for (std::size_t i = begin; i < std::min(end, count); ++i)
-                parts[i / part_size] =
-                    std::max(parts[i / part_size], static_cast<double>(value(i)));
+        each_part(count, [&](std::size_t part, std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                parts[part] = std::max(parts[part], static_cast<double>(value(i)));
         });
         return *std::max_element(parts.begin(), parts.end());
     }
 
-private:
-    static constexpr std::size_t part_size = 256; // that of the chunks of OpenMpLoop
+    /// Calls body(part, begin, end) for each part of the particles; part p begins at p * part_size.
+    template <class Body>
+    void each_part(std::size_t count, const Body& body) const {
+        const std::size_t parts = (count + part_size - 1) / part_size;
+        loop(parts * part_size, [&](std::size_t begin, std::size_t end, int /*worker*/) {
+            for (std::size_t part = begin / part_size; part * part_size < end; ++part)
+                body(part, part * part_size, std::min((part + 1) * part_size, count));
+        });
+    }
+
+    static constexpr std::size_t part_size = 256; ///< that of the chunks of OpenMpLoop
 };
 
 /// Neighbor lists. Those of a particle are followed by copies of one that is far from all, up to a
@@ -97,6 +105,10 @@ struct Fluid {
     std::vector<Row<Real>> wall_gradient;
     std::vector<std::uint32_t> id;
     LaneLists neighbors;
+    /// W'(q) / q of each pair of a list, from find_densities() on: the gradient is that times x_i -
+    /// x_j. Iterations then need neither a square root nor a division.
+    std::vector<const Real*> slopes;
+    std::vector<std::vector<Real>> slope_buffers; ///< one for each part of ParticleLoop
 
     std::vector<Row<Real>> wall_place; ///< w: psi_b = V_b, relative to the rest density; one more
     LaneLists wall_neighbors;          ///< of fluid particles
@@ -109,6 +121,7 @@ struct NeighborLanes {
     Lanes<Real> step[Dimension];  ///< x_i - x_j
     Lanes<Real> distance_squared; ///< |x_i - x_j|^2
     Lanes<Real> w;                ///< of their rows
+    std::uint32_t at;             ///< of the first, in the list of i
 };
 
 /// Calls visit(neighbors) for eight at a time. What fills the last eight up lies beyond the support
@@ -116,12 +129,13 @@ struct NeighborLanes {
 template <class Real, int Dimension, class Visit>
 MENISCUS_INLINE void visit_lists(const Row<Real>* rows, const Row<Real>& center,
                                  const LaneLists& lists, std::size_t i, const Visit& visit) {
-    const std::uint32_t* index = lists.begin[i];
-    const std::uint32_t* const last = index + lists.padded_count(i);
-    for (; index != last; index += lane_count) {
-        const RowLanes<Real> row = gather_rows(rows, index);
+    const std::uint32_t* const list = lists.begin[i];
+    const std::uint32_t count = lists.padded_count(i);
+    for (std::uint32_t at = 0; at < count; at += lane_count) {
+        const RowLanes<Real> row = gather_rows(rows, list + at);
         NeighborLanes<Real, Dimension> lanes;
-        lanes.index = index;
+        lanes.index = list + at;
+        lanes.at = at;
         lanes.step[0] = center.x - row.x;
         lanes.step[1] = center.y - row.y;
         lanes.distance_squared = lanes.step[0] * lanes.step[0] + lanes.step[1] * lanes.step[1];
@@ -139,6 +153,13 @@ template <class Real, int Dimension, class Visit>
 MENISCUS_INLINE void visit_neighbors(const Fluid<Real, Dimension>& fluid, std::size_t i,
                                      const Visit& visit) {
     visit_lists<Real, Dimension>(fluid.place.data(), fluid.place[i], fluid.neighbors, i, visit);
+}
+
+/// The slopes of eight neighbors of particle i.
+template <class Real, int Dimension>
+MENISCUS_INLINE Lanes<Real> slopes_of(const Fluid<Real, Dimension>& fluid, std::size_t i,
+                                      const NeighborLanes<Real, Dimension>& lanes) {
+    return load_lanes(fluid.slopes[i] + lanes.at);
 }
 
 /// The wall particles around fluid particle i; w is psi_b.

@@ -161,6 +161,7 @@ private:
     std::unique_ptr<SurfaceTensionModel<Real, Dimension>> detector;
     Cells<Real> cells;
     Cells<Real> wall_cells;
+    std::vector<std::uint8_t> near_walls; ///< for each cell of the walls
     ListBuffers buffers;
     ListBuffers wall_buffers;
     std::vector<std::uint32_t> cell_of;
@@ -196,6 +197,7 @@ private:
             fluid.wall_place[b] = rows[order[b]];
         fluid.wall_place.back() = far_from(wall_cells.layout);
         wall_cells.take_coordinates(fluid.wall_place.data(), walls.size());
+        near_walls = occupied_surroundings(wall_cells);
         LaneLists lists;
         find_lists<Real, Dimension>(wall_cells, fluid.wall_place.data(), walls.size(), true,
                                     static_cast<std::uint32_t>(walls.size()), fluid.loop,
@@ -266,7 +268,7 @@ private:
                                     fluid.neighbors);
         find_lists<Real, Dimension>(wall_cells, fluid.place.data(), fluid.count, false,
                                     static_cast<std::uint32_t>(fluid.wall_place.size() - 1),
-                                    fluid.loop, wall_buffers, fluid.wall_neighbors);
+                                    fluid.loop, wall_buffers, fluid.wall_neighbors, &near_walls);
     }
 
     void add_accelerations(StepReport& report, StageClock& clock) {

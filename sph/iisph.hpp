@@ -18,9 +18,7 @@ public:
     SolveReport solve(FluidType& fluid, Real dt) override {
         for (Real& value : this->pressure)
             value *= Real(0.5);
-        system.set_source(
-            fluid, dt, [&](std::size_t i) { return fluid.density[i] - 1; },
-            [](std::size_t) { return true; }, this->pressure);
+        system.set_source(fluid, dt, [&](std::size_t i) { return fluid.density[i] - 1; });
         return system.iterate(fluid, dt, this->options.density_error, this->options,
                               this->pressure);
     }

@@ -63,6 +63,11 @@ MENISCUS_INLINE Lanes<Real> load_lanes(const Real* from) {
 }
 
 template <class Real>
+MENISCUS_INLINE void store_lanes(Lanes<Real> lanes, Real* to) {
+    std::memcpy(to, &lanes, sizeof lanes);
+}
+
+template <class Real>
 MENISCUS_INLINE typename LaneTypes<Real>::Four load_row(const Row<Real>* from) {
     typename LaneTypes<Real>::Four row;
     std::memcpy(&row, from, sizeof row);

@@ -32,7 +32,7 @@ public:
                 fluid.loop.each(fluid.count,
                                 [&](std::size_t i) { fluid.place[i].w = this->pressure[i]; });
                 fluid.loop.each(fluid.count, [&](std::size_t i) {
-                    acceleration[i] = pressure_acceleration(fluid, i, kernel);
+                    acceleration[i] = pressure_acceleration(fluid, i);
                 });
             }
         });

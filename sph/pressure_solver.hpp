@@ -58,40 +58,29 @@ public:
     void prepare(const FluidType& fluid) {
         inverse_diagonal.resize(fluid.count);
         acceleration.assign(fluid.count + 1, {});
-        response.resize(fluid.count);
         source.resize(fluid.count);
-        with_kernel<Real, Dimension>(fluid.kernel, [&](auto kernel) {
-            fluid.loop.each(fluid.count, [&](std::size_t i) {
-                VectorSum<Real, Dimension> gradient;
-                Lanes<Real> squares{};
-                visit_neighbors(fluid, i, [&](const NeighborLanes<Real, Dimension>& lanes) {
-                    const Lanes<Real> slope = kernel.gradient(lanes.distance_squared);
-                    gradient.add(slope, lanes.step);
-                    squares += slope * slope * lanes.distance_squared;
-                });
-                const Row<Real> all = plus(fluid.wall_gradient[i], fluid.mass, gradient.total());
-                const Real sum =
-                    dot_rows(all, all) + fluid.mass * fluid.mass * sum_of_lanes<Real>(squares);
-                // Without neighbors there is nothing to push against.
-                inverse_diagonal[i] = sum > static_cast<Real>(1e-6) ? 1 / sum : 0;
+        fluid.loop.each(fluid.count, [&](std::size_t i) {
+            VectorSum<Real, Dimension> gradient;
+            Lanes<Real> squares{};
+            visit_neighbors(fluid, i, [&](const NeighborLanes<Real, Dimension>& lanes) {
+                const Lanes<Real> slope = slopes_of(fluid, i, lanes);
+                gradient.add(slope, lanes.step);
+                squares += slope * slope * lanes.distance_squared;
             });
+            const Row<Real> all = plus(fluid.wall_gradient[i], fluid.mass, gradient.total());
+            const Real sum =
+                dot_rows(all, all) + fluid.mass * fluid.mass * sum_of_lanes<Real>(squares);
+            // Without neighbors there is nothing to push against.
+            inverse_diagonal[i] = sum > static_cast<Real>(1e-6) ? 1 / sum : 0;
         });
     }
 
     /// Sets the source of each particle: offset(i) + dt times the compression rate of the
-    /// velocities, or 0 and no pressure where takes_part(i) is false.
-    template <class Offset, class TakesPart>
-    void set_source(const FluidType& fluid, Real dt, const Offset& offset,
-                    const TakesPart& takes_part, std::vector<Real>& pressure) {
-        with_kernel<Real, Dimension>(fluid.kernel, [&](auto kernel) {
-            fluid.loop.each(fluid.count, [&](std::size_t i) {
-                const bool takes = takes_part(i) && inverse_diagonal[i] > 0;
-                source[i] =
-                    takes ? offset(i) + dt * compression_rate(fluid, fluid.velocity, i, kernel) : 0;
-                response[i] = takes ? inverse_diagonal[i] : 0;
-                if (!takes)
-                    pressure[i] = 0;
-            });
+    /// velocities.
+    template <class Offset>
+    void set_source(const FluidType& fluid, Real dt, const Offset& offset) {
+        fluid.loop.each(fluid.count, [&](std::size_t i) {
+            source[i] = offset(i) + dt * compression_rate(fluid, fluid.velocity, i);
         });
     }
 
@@ -102,16 +91,14 @@ public:
         SolveReport report;
         const Real step = static_cast<Real>(options.relaxation) / (dt * dt);
         const Real least = options.clip_negative ? 0 : -std::numeric_limits<Real>::infinity();
-        with_kernel<Real, Dimension>(fluid.kernel, [&](auto kernel) {
-            for (;; ++report.iterations) {
-                set_accelerations(fluid, kernel, pressure);
-                report.error = update(fluid, kernel, dt, step, least, pressure);
-                report.converged = report.error <= limit;
-                if (report.iterations >= options.most_iterations ||
-                    (report.converged && report.iterations >= options.least_iterations))
-                    break;
-            }
-        });
+        for (;; ++report.iterations) {
+            set_accelerations(fluid, pressure);
+            report.error = update(fluid, dt, step, least, pressure);
+            report.converged = report.error <= limit;
+            if (report.iterations >= options.most_iterations ||
+                (report.converged && report.iterations >= options.least_iterations))
+                break;
+        }
         fluid.loop.each(fluid.count, [&](std::size_t i) {
             fluid.velocity[i] = plus(fluid.velocity[i], dt, acceleration[i]);
         });
@@ -120,29 +107,23 @@ public:
 
 private:
     std::vector<Real> inverse_diagonal;
-    std::vector<Real> response; ///< the same where the particle takes part, else 0
     std::vector<Real> source;
     std::vector<Row<Real>> acceleration; ///< one more than particles
 
-    template <class Kernel>
-    void set_accelerations(FluidType& fluid, const Kernel& kernel,
-                           const std::vector<Real>& pressure) {
+    void set_accelerations(FluidType& fluid, const std::vector<Real>& pressure) {
         fluid.loop.each(fluid.count, [&](std::size_t i) { fluid.place[i].w = pressure[i]; });
-        fluid.loop.each(fluid.count, [&](std::size_t i) {
-            acceleration[i] = pressure_acceleration(fluid, i, kernel);
-        });
+        fluid.loop.each(fluid.count,
+                        [&](std::size_t i) { acceleration[i] = pressure_acceleration(fluid, i); });
     }
 
     /// Moves the pressures; returns the mean compression that they left before.
-    template <class Kernel>
-    double update(const FluidType& fluid, const Kernel& kernel, Real dt, Real step, Real least,
+    double update(const FluidType& fluid, Real dt, Real step, Real least,
                   std::vector<Real>& pressure) {
         const double left = fluid.loop.sum(fluid.count, [&](std::size_t i) -> Real {
-            if (response[i] == 0)
+            if (inverse_diagonal[i] == 0)
                 return 0;
-            const Real residual =
-                source[i] + dt * dt * compression_rate(fluid, acceleration, i, kernel);
-            pressure[i] = std::max(pressure[i] + step * residual * response[i], least);
+            const Real residual = source[i] + dt * dt * compression_rate(fluid, acceleration, i);
+            pressure[i] = std::max(pressure[i] + step * residual * inverse_diagonal[i], least);
             return std::max(residual, Real(0));
         });
         return fluid.count == 0 ? 0 : left / static_cast<double>(fluid.count);

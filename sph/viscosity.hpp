@@ -18,25 +18,23 @@ void add_viscosity(const ViscosityOptions& options, Fluid<Real, Dimension>& flui
     const double h = fluid.units.support_radius;
     const auto factor =
         static_cast<Real>(2 * (Dimension + 2) * options.kinematic / (h * h)) * fluid.mass;
-    with_kernel<Real, Dimension>(fluid.kernel, [&](auto kernel) {
-        fluid.loop.each(fluid.count, [&](std::size_t i) {
-            const Row<Real> own = fluid.velocity[i];
-            VectorSum<Real, Dimension> sum;
-            visit_neighbors(fluid, i, [&](const NeighborLanes<Real, Dimension>& lanes) {
-                const RowLanes<Real> other = gather_rows(fluid.velocity.data(), lanes.index);
-                Lanes<Real> approach =
-                    (own.x - other.x) * lanes.step[0] + (own.y - other.y) * lanes.step[1];
-                if constexpr (Dimension == 3)
-                    approach += (own.z - other.z) * lanes.step[2];
-                const Lanes<Real> correction =
-                    Real(2) / (fluid.density[i] + other.w); // 1 / rho_ij, and K_ij
-                Lanes<Real> size = approach * correction / (lanes.distance_squared + Real(0.01));
-                if (options.density_correction)
-                    size *= correction;
-                sum.add(size * kernel.gradient(lanes.distance_squared), lanes.step);
-            });
-            fluid.acceleration[i] = plus(fluid.acceleration[i], factor, sum.total());
+    fluid.loop.each(fluid.count, [&](std::size_t i) {
+        const Row<Real> own = fluid.velocity[i];
+        VectorSum<Real, Dimension> sum;
+        visit_neighbors(fluid, i, [&](const NeighborLanes<Real, Dimension>& lanes) {
+            const RowLanes<Real> other = gather_rows(fluid.velocity.data(), lanes.index);
+            Lanes<Real> approach =
+                (own.x - other.x) * lanes.step[0] + (own.y - other.y) * lanes.step[1];
+            if constexpr (Dimension == 3)
+                approach += (own.z - other.z) * lanes.step[2];
+            const Lanes<Real> correction =
+                Real(2) / (fluid.density[i] + other.w); // 1 / rho_ij, and K_ij
+            Lanes<Real> size = approach * correction / (lanes.distance_squared + Real(0.01));
+            if (options.density_correction)
+                size *= correction;
+            sum.add(size * slopes_of(fluid, i, lanes), lanes.step);
         });
+        fluid.acceleration[i] = plus(fluid.acceleration[i], factor, sum.total());
     });
 }
 

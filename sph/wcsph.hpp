@@ -24,11 +24,8 @@ public:
                 pressure = std::max(pressure, Real(0));
             fluid.place[i].w = this->pressure[i] = pressure / square;
         });
-        with_kernel<Real, Dimension>(fluid.kernel, [&](auto kernel) {
-            fluid.loop.each(fluid.count, [&](std::size_t i) {
-                fluid.velocity[i] =
-                    plus(fluid.velocity[i], dt, pressure_acceleration(fluid, i, kernel));
-            });
+        fluid.loop.each(fluid.count, [&](std::size_t i) {
+            fluid.velocity[i] = plus(fluid.velocity[i], dt, pressure_acceleration(fluid, i));
         });
         SolveReport report;
         report.error = fluid.count == 0 ? 0 : fluid.loop.sum(fluid.count, [&](std::size_t i) {
