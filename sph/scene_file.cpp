@@ -212,15 +212,15 @@ PressureOptions read_pressure(const JsonReader& reader) {
     reader.expect_only({"solver", "density_error", "divergence_error", "least_iterations",
                         "most_iterations", "clip_negative", "sound_speed", "relaxation"});
     PressureOptions options;
-    options.solver = static_cast<PressureSolver>(reader.choice("solver", solver_names));
+    options.solver = static_cast<PressureSolverKind>(reader.choice("solver", solver_names));
     const std::string because = "it has no meaning for solver " + reader.text("solver");
-    const bool iterates = options.solver != PressureSolver::wcsph;
+    const bool iterates = options.solver != PressureSolverKind::wcsph;
     for (const char* key : {"density_error", "least_iterations", "most_iterations"})
         if (!iterates)
             refuse_with(reader, key, because);
-    if (options.solver != PressureSolver::dfsph)
+    if (options.solver != PressureSolverKind::dfsph)
         refuse_with(reader, "divergence_error", because);
-    if (options.solver != PressureSolver::iisph)
+    if (options.solver != PressureSolverKind::iisph)
         refuse_with(reader, "relaxation", because);
     if (iterates)
         refuse_with(reader, "sound_speed", because);

@@ -113,7 +113,7 @@ TEST_F(SceneFile, ReadsEveryValue) {
     EXPECT_EQ(read.gravity, (Place{0, -9.81, 0}));
     EXPECT_EQ((*read.domain)[1], (Place{50, 50, 50}));
     EXPECT_EQ(read.kernel, KernelKind::mueller);
-    EXPECT_EQ(read.pressure.solver, PressureSolver::iisph);
+    EXPECT_EQ(read.pressure.solver, PressureSolverKind::iisph);
     EXPECT_EQ(read.pressure.density_error, 0.01);
     EXPECT_EQ(read.pressure.least_iterations, 3);
     EXPECT_EQ(read.pressure.most_iterations, 50);
