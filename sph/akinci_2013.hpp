@@ -72,15 +72,13 @@ private:
         normal[fluid.count] = {0, 0, 0, 1};
         fluid.loop.each(fluid.count,
                         [&](std::size_t i) { fluid.place[i].w = fluid.mass / fluid.density[i]; });
-        with_kernel<Real, Dimension>(fluid.kernel, [&](auto kernel) {
-            fluid.loop.each(fluid.count, [&](std::size_t i) {
-                VectorSum<Real, Dimension> sum;
-                visit_neighbors(fluid, i, [&](const NeighborLanes<Real, Dimension>& lanes) {
-                    sum.add(lanes.w * kernel.gradient(lanes.distance_squared), lanes.step);
-                });
-                normal[i] = sum.total();
-                normal[i].w = fluid.density[i];
+        fluid.loop.each(fluid.count, [&](std::size_t i) {
+            VectorSum<Real, Dimension> sum;
+            visit_neighbors(fluid, i, [&](const NeighborLanes<Real, Dimension>& lanes) {
+                sum.add(lanes.w * slopes_of(fluid, i, lanes), lanes.step);
             });
+            normal[i] = sum.total();
+            normal[i].w = fluid.density[i];
         });
     }
 };

@@ -23,17 +23,14 @@ public:
         const double mass = static_cast<double>(fluid.mass);
         const auto factor = static_cast<Real>(
             this->options.coefficient / (4 * fluid.units.rest_density * h * h * h * h * mass));
-        with_kernel<Real, Dimension>(fluid.kernel, [&](auto kernel) {
-            fluid.loop.each(fluid.count, [&](std::size_t i) {
-                VectorSum<Real, Dimension> sum;
-                visit_neighbors(fluid, i, [&](const NeighborLanes<Real, Dimension>& lanes) {
-                    const Lanes<Real> volumes = fluid.place[i].w * lanes.w;
-                    const Lanes<Real> energies = energy[i] + gather(energy.data(), lanes.index);
-                    sum.add(volumes * energies * kernel.gradient(lanes.distance_squared),
-                            lanes.step);
-                });
-                fluid.acceleration[i] = plus(fluid.acceleration[i], factor, sum.total());
+        fluid.loop.each(fluid.count, [&](std::size_t i) {
+            VectorSum<Real, Dimension> sum;
+            visit_neighbors(fluid, i, [&](const NeighborLanes<Real, Dimension>& lanes) {
+                const Lanes<Real> volumes = fluid.place[i].w * lanes.w;
+                const Lanes<Real> energies = energy[i] + gather(energy.data(), lanes.index);
+                sum.add(volumes * energies * slopes_of(fluid, i, lanes), lanes.step);
             });
+            fluid.acceleration[i] = plus(fluid.acceleration[i], factor, sum.total());
         });
     }
 
@@ -53,7 +50,7 @@ private:
                 VectorSum<Real, Dimension> sum;
                 visit_neighbors(fluid, i, [&](const NeighborLanes<Real, Dimension>& lanes) {
                     share += lanes.w * kernel.value(lanes.distance_squared);
-                    sum.add(lanes.w * kernel.gradient(lanes.distance_squared), lanes.step);
+                    sum.add(lanes.w * slopes_of(fluid, i, lanes), lanes.step);
                 });
                 const Row<Real> gradient = sum.total();
                 const Real all = sum_of_lanes<Real>(share);

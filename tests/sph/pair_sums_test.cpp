@@ -28,7 +28,7 @@ public:
         return plain;
     }
 
-    /// Calls body(plain, sample, kernel) for fluids with and without walls.
+    /// Calls body(plain, sample) for fluids with and without walls.
     template <class Body>
     static void for_each_fluid(const Body& body) {
         for (const KernelKind kind : all_kernels)
@@ -37,8 +37,7 @@ public:
                     PlainFluid plain =
                         walls ? ball_on_wall(kind, h) : lattice_ball(dimension, kind, h, 0.3);
                     Sample sample(plain);
-                    with_kernel<Real, dimension>(kind,
-                                                 [&](auto kernel) { body(plain, sample, kernel); });
+                    body(plain, sample);
                 }
     }
 
@@ -57,7 +56,7 @@ Place plain_wall_gradient(const PlainFluid& plain, std::size_t i) {
 }
 
 TYPED_TEST(PairSums, DensityIsTheSumOverAllPairs) {
-    this->for_each_fluid([&](const PlainFluid& plain, auto& sample, auto /*kernel*/) {
+    this->for_each_fluid([&](const PlainFluid& plain, auto& sample) {
         const std::vector<double> expected = densities_of(plain);
         PlainFluid without_walls = plain;
         without_walls.walls.clear();
@@ -75,7 +74,7 @@ TYPED_TEST(PairSums, DensityIsTheSumOverAllPairs) {
 
 TYPED_TEST(PairSums, PressureAccelerationIsTheSumOverAllPairs) {
     using Real = typename TypeParam::Real;
-    this->for_each_fluid([&](const PlainFluid& plain, auto& sample, auto kernel) {
+    this->for_each_fluid([&](const PlainFluid& plain, auto& sample) {
         RandomNumbers random(5);
         // p / rho^2 in m^5/(kg s^2) and in the step's units
         const double unit = plain.h * plain.h / plain.rest_density;
@@ -96,14 +95,14 @@ TYPED_TEST(PairSums, PressureAccelerationIsTheSumOverAllPairs) {
         }
         const double largest = largest_of(expected);
         for (std::size_t i = 0; i < plain.size(); ++i) {
-            const Place found = sample.in_metres(pressure_acceleration(sample.fluid, i, kernel));
+            const Place found = sample.in_metres(pressure_acceleration(sample.fluid, i));
             EXPECT_LT(length_of(difference_of(found, expected[i])), this->tolerance * largest);
         }
     });
 }
 
 TYPED_TEST(PairSums, CompressionRateIsTheSumOverAllPairs) {
-    this->for_each_fluid([&](const PlainFluid& plain, auto& sample, auto kernel) {
+    this->for_each_fluid([&](const PlainFluid& plain, auto& sample) {
         std::vector<double> expected;
         double largest = 0;
         for (std::size_t i = 0; i < plain.size(); ++i) {
@@ -116,8 +115,8 @@ TYPED_TEST(PairSums, CompressionRateIsTheSumOverAllPairs) {
             largest = std::max(largest, std::abs(expected[i]));
         }
         for (std::size_t i = 0; i < plain.size(); ++i)
-            EXPECT_NEAR(compression_rate(sample.fluid, sample.fluid.velocity, i, kernel),
-                        expected[i], this->tolerance * largest);
+            EXPECT_NEAR(compression_rate(sample.fluid, sample.fluid.velocity, i), expected[i],
+                        this->tolerance * largest);
     });
 }
 
