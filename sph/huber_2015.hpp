@@ -7,7 +7,8 @@
 // s because particles closer than that are those that pressure has to part, and no jump because
 // scenes start as lattices whose neighbors lie at exactly s: rounding would decide which of them
 // pull. With no pull at all below s a drop of 1000 particles fell into pairs in one place, the
-// opposite of what the cut is for. SPlisHSPlasH's form of the model of Becker and Teschner does the same.
+// opposite of what the cut is for. SPlisHSPlasH's form of the model of Becker and Teschner does the
+// same.
 #pragma once
 
 #include "becker_2007.hpp"

@@ -126,9 +126,12 @@ public:
     using Real = typename SettingType::Real;
     static constexpr int dimension = SettingType::dimension;
 
-    static Row<Real> row_of(const Place& place) {
-        return {static_cast<Real>(place[0]), static_cast<Real>(place[1]),
-                static_cast<Real>(place[2]), 0};
+    static std::vector<Row<Real>> rows_of(const Positions& places) {
+        std::vector<Row<Real>> rows(places.size());
+        for (std::size_t i = 0; i < places.size(); ++i)
+            rows[i] = {static_cast<Real>(places[i][0]), static_cast<Real>(places[i][1]),
+                       static_cast<Real>(places[i][2]), 0};
+        return rows;
     }
 
     /// By the arithmetic of the lists, so that no rounding tells them apart.
@@ -143,9 +146,7 @@ public:
     static void expect_all_pairs(const Positions& places, const Positions& others) {
         const ParticleLoop loop{OpenMpLoop{2}};
         const std::size_t count = places.size();
-        std::vector<Row<Real>> rows;
-        for (const Place& place : places)
-            rows.push_back(row_of(place));
+        const std::vector<Row<Real>> rows = rows_of(places);
         Cells<Real> cells;
         std::vector<std::uint32_t> cell_of;
         std::vector<std::uint32_t> order;
@@ -162,9 +163,7 @@ public:
         find_lists<Real, dimension>(cells, sorted.data(), count, true, far, loop, buffers, lists);
         expect_lists(lists, sorted, sorted, true);
 
-        std::vector<Row<Real>> other_rows;
-        for (const Place& other : others)
-            other_rows.push_back(row_of(other));
+        const std::vector<Row<Real>> other_rows = rows_of(others);
         ListBuffers other_buffers;
         LaneLists other_lists;
         find_lists<Real, dimension>(cells, other_rows.data(), others.size(), false, far, loop,
