@@ -49,9 +49,18 @@ void check_spacing(double spacing) {
                          number_text(spacing));
 }
 
-/// Parts that the length is cut into so that none is longer than `longest`.
-double parts_of(double length, double longest) {
+/// Parts that the length is cut into so that none is longer than `longest`; may be absurdly many.
+double exact_parts(double length, double longest) {
     return std::max(1.0, std::ceil(length / longest - rounding));
+}
+
+/// The same where the number has been checked.
+std::int64_t parts_of(double length, double longest) {
+    return static_cast<std::int64_t>(exact_parts(length, longest));
+}
+
+double share(std::int64_t part, std::int64_t parts) {
+    return static_cast<double>(part) / static_cast<double>(parts);
 }
 
 /// Into how many parts of at most a spacing each axis is cut; 0 for z in two dimensions.
@@ -65,7 +74,7 @@ std::array<std::int64_t, 3> checked_parts(const BoxSides& box, double spacing, i
                              "of " +
                              number_text(spacing) + " m wide along each axis, found " +
                              number_text(box.low[axis]) + " to " + number_text(box.high[axis]));
-        parts[axis] = parts_of(width, spacing);
+        parts[axis] = exact_parts(width, spacing);
     }
     const double points = 2 * ((parts[0] + 1) * (parts[1] + 1) + (parts[1] + 1) * (parts[2] + 1) +
                                (parts[2] + 1) * (parts[0] + 1));
@@ -125,9 +134,9 @@ private:
 };
 
 void offer_line(const Place& from, const Place& to, double step, Samples& samples) {
-    const double parts = parts_of(distance(from, to), step);
-    for (double part = 0; part <= parts; ++part)
-        samples.offer(from + part / parts * (to - from));
+    const std::int64_t parts = parts_of(distance(from, to), step);
+    for (std::int64_t part = 0; part <= parts; ++part)
+        samples.offer(from + share(part, parts) * (to - from));
 }
 
 /// Rows of places from the longest edge, at most `step` apart, to the corner across.
@@ -141,10 +150,10 @@ void offer_triangle(std::array<Place, 3> corners, double step, Samples& samples)
         return;
     const double foot = dot(top - left, right - left) / (length * length);
     const double height = distance(top, left + foot * (right - left));
-    const double rows = parts_of(height, step);
-    for (double row = 0; row < rows; ++row)
-        offer_line(left + row / rows * (top - left), right + row / rows * (top - right), step,
-                   samples);
+    const std::int64_t rows = parts_of(height, step);
+    for (std::int64_t row = 0; row < rows; ++row)
+        offer_line(left + share(row, rows) * (top - left), right + share(row, rows) * (top - right),
+                   step, samples);
 }
 
 double area(const Place& a, const Place& b, const Place& c) {
@@ -185,11 +194,11 @@ void check_mesh(const TriangleMesh& mesh, double spacing) {
 /// The ellipse as a closed chain of points, dense against the spacing: those of a square's sides,
 /// each drawn to the circle and stretched.
 std::vector<Place> ellipse_chain(const Place& half_axes, double spacing) {
-    const double parts = 16 * std::ceil(std::max(half_axes[0], half_axes[1]) / spacing) + 64;
+    const std::int64_t parts = 16 * parts_of(std::max(half_axes[0], half_axes[1]), spacing) + 64;
     std::vector<Place> chain;
     for (int side = 0; side < 4; ++side)
-        for (double part = 0; part < parts; ++part) {
-            std::array<double, 2> p{1, 2 * part / parts - 1};
+        for (std::int64_t part = 0; part < parts; ++part) {
+            std::array<double, 2> p{1, 2 * share(part, parts) - 1};
             for (int turn = 0; turn < side; ++turn)
                 p = {-p[1], p[0]};
             const double length = std::sqrt(p[0] * p[0] + p[1] * p[1]);
@@ -204,13 +213,13 @@ void offer_ellipse(const Place& half_axes, double spacing, Samples& samples) {
     std::vector<double> lengths{0};
     for (std::size_t k = 1; k < chain.size(); ++k)
         lengths.push_back(lengths.back() + distance(chain[k - 1], chain[k]));
-    const double parts = parts_of(lengths.back(), spacing);
-    for (double part = 0; part < parts; ++part) {
-        const double wanted = part / parts * lengths.back();
+    const std::int64_t parts = parts_of(lengths.back(), spacing);
+    for (std::int64_t part = 0; part < parts; ++part) {
+        const double wanted = share(part, parts) * lengths.back();
         const std::size_t next =
             std::upper_bound(lengths.begin(), lengths.end(), wanted) - lengths.begin();
-        const double share = (wanted - lengths[next - 1]) / (lengths[next] - lengths[next - 1]);
-        const Place p = chain[next - 1] + share * (chain[next] - chain[next - 1]);
+        const double rest = (wanted - lengths[next - 1]) / (lengths[next] - lengths[next - 1]);
+        const Place p = chain[next - 1] + rest * (chain[next] - chain[next - 1]);
         samples.offer(1 / distance({}, {p[0] / half_axes[0], p[1] / half_axes[1], 0}) * p);
     }
 }
@@ -311,13 +320,13 @@ TriangleMesh mesh_from(std::istream& stream) {
 
 std::vector<Place> sample_box(const BoxSides& box, double spacing, int dimension) {
     const std::array<std::int64_t, 3> parts = checked_parts(box, spacing, dimension);
-    const auto on_side = [&](int axis, std::int64_t index) {
-        return axis < dimension && ((index == 0 && !box.open[2 * axis]) ||
-                                    (index == parts[axis] && !box.open[2 * axis + 1]));
+    const auto on_side = [&](std::size_t axis, std::int64_t index) {
+        return parts[axis] > 0 && ((index == 0 && !box.open[2 * axis]) ||
+                                   (index == parts[axis] && !box.open[2 * axis + 1]));
     };
-    const auto coordinate = [&](int axis, std::int64_t index) {
-        const double share = axis < dimension ? double(index) / double(parts[axis]) : 0;
-        return (1 - share) * box.low[axis] + share * box.high[axis]; // exact at both ends
+    const auto coordinate = [&](std::size_t axis, std::int64_t index) {
+        const double way = share(index, parts[axis]);
+        return (1 - way) * box.low[axis] + way * box.high[axis]; // exact at both ends
     };
     std::vector<Place> points;
     for (std::int64_t i = 0; i <= parts[0]; ++i)

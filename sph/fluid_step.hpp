@@ -312,27 +312,35 @@ private:
         }));
     }
 
-    /// The step that the CFL condition allows (Monaghan 1992), or the fixed one. Surface tension
-    /// and, in WCSPH, sound have waves of their own that must not outrun it.
+    /// The step that the CFL condition allows (Monaghan 1992), or the fixed one.
     [[nodiscard]] double time_step_for(double speed, double longest) const {
         const TimeStepOptions& options = scene.time_step;
         if (options.fixed)
             return std::min(*options.fixed, longest);
-        const double spacing = scene.particle_spacing;
-        double step = options.largest;
+        double step = std::min(options.largest, options.courant_factor * longest_stable_step());
         if (speed > 0)
-            step = std::min(step, 0.4 * options.courant_factor * spacing /
+            step = std::min(step, 0.4 * options.courant_factor * scene.particle_spacing /
                                       (speed * scene.support_radius));
-        if (scene.pressure.solver == PressureSolverKind::wcsph)
-            step = std::min(step, 0.4 * options.courant_factor * scene.support_radius /
-                                      scene.pressure.sound_speed);
-        if (scene.surface_tension.model == TensionModel::meniscus &&
-            scene.surface_tension.coefficient > 0) // Brackbill et al. 1992, eq. 61
-            step = std::min(step,
-                            options.courant_factor *
-                                std::sqrt(scene.rest_density * spacing * spacing * spacing /
-                                          (2 * circle_ratio * scene.surface_tension.coefficient)));
         return std::min(std::max(step, options.smallest), longest);
+    }
+
+    /// What sound (in WCSPH), viscosity (Morris et al. 1997, eq. 26, the smoothing length being
+    /// half the support radius) and capillary waves (Brackbill et al. 1992, eq. 61) allow, s.
+    [[nodiscard]] double longest_stable_step() const {
+        const double h = scene.support_radius;
+        const double spacing = scene.particle_spacing;
+        double step = std::numeric_limits<double>::infinity();
+        if (scene.pressure.solver == PressureSolverKind::wcsph)
+            step = std::min(step, 0.4 * h / scene.pressure.sound_speed);
+        if (scene.viscosity.kinematic > 0)
+            step = std::min(step, 0.125 * (h / 2) * (h / 2) / scene.viscosity.kinematic);
+        const bool has_sigma = scene.surface_tension.model == TensionModel::meniscus ||
+                               scene.surface_tension.model == TensionModel::color_field;
+        if (has_sigma && scene.surface_tension.coefficient > 0)
+            step =
+                std::min(step, std::sqrt(scene.rest_density * spacing * spacing * spacing /
+                                         (2 * circle_ratio * scene.surface_tension.coefficient)));
+        return step;
     }
 
     void apply_accelerations(Real dt) {

@@ -109,7 +109,7 @@ std::vector<std::string> read_open_sides(const JsonReader& reader, const Frame& 
     if (!reader.has("open"))
         return {};
     std::vector<std::string> valid = side_names;
-    valid.resize(2 * frame.dimension);
+    valid.resize(frame.dimension == 3 ? 6 : 4);
     const std::vector<std::string> found = reader.texts("open");
     std::vector<std::string> open; // in the order of sides
     std::copy_if(valid.begin(), valid.end(), std::back_inserter(open), [&](const auto& side) {

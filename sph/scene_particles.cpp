@@ -24,9 +24,11 @@ Positions lattice_places(const Place& first, const std::array<double, 3>& count,
         throw InputError("would have about " + rounded_text(count[0] * count[1] * count[2], 2) +
                          " particles; make it smaller or take a larger particle_spacing");
     Positions places;
-    for (double i = 0; i < count[0]; ++i)
-        for (double j = 0; j < count[1]; ++j)
-            for (double k = 0; k < count[2]; ++k) {
+    if (count[0] * count[1] * count[2] == 0)
+        return places; // one of the others may be larger than any int
+    for (int i = 0; i < count[0]; ++i)
+        for (int j = 0; j < count[1]; ++j)
+            for (int k = 0; k < count[2]; ++k) {
                 const Place place{first[0] + i * spacing, first[1] + j * spacing,
                                   first[2] + k * spacing};
                 if (holds(place))

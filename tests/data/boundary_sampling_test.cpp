@@ -258,8 +258,7 @@ TEST(BoundarySampling, MeshRefusesWhatItCannotSample) {
 class ObjFile : public TestFolder {
 protected:
     std::string error(const std::string& text) const {
-        const std::string message =
-            error_of<InputError>([&] { read_obj(write("some.obj", text)); });
+        std::string message = error_of<InputError>([&] { read_obj(write("some.obj", text)); });
         EXPECT_NE(message.find("some.obj"), std::string::npos) << message;
         return message;
     }

@@ -16,7 +16,7 @@ std::string parse_error_of(const std::string& text) {
 TEST(JsonReader, NamesTheNearestSpelling) {
     const std::vector<std::string> words{"gravity", "viscosity", "density", "walls"};
     EXPECT_EQ(nearest_spelling("gavity", words), "gravity");
-    EXPECT_EQ(nearest_spelling("viscocity", words), "gravity");
+    EXPECT_EQ(nearest_spelling("viscocity", words), "viscosity");
     EXPECT_EQ(nearest_spelling("walsl", words), "walls");
     EXPECT_EQ(nearest_spelling("denstiy", words), "density");
     EXPECT_EQ(nearest_spelling("", words), "walls");
@@ -24,8 +24,7 @@ TEST(JsonReader, NamesTheNearestSpelling) {
 }
 
 TEST(JsonReader, CountsExchangedNeighborsAsOneEdit) {
-    // "ab" is one exchange from "ba" and two edits from "bcc" in no other way than by replacing.
-    EXPECT_EQ(nearest_spelling("ab", {"cc", "ba"}), "ba");
+    EXPECT_EQ(nearest_spelling("ab", {"cc", "ba"}), "ba"); // both are two replacements off
 }
 
 TEST(JsonReader, NamesWrongKeysWithTheirPath) {

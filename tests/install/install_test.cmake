@@ -35,7 +35,9 @@ run(ignored ${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix} --config "${C
 foreach(file bin/meniscus include/meniscus/version.hpp include/meniscus/runtime/classifier.hpp
         include/meniscus/runtime/surface_coefficients.hpp include/meniscus/data/vtkhdf.hpp
         include/meniscus/labeler/labeler.hpp share/meniscus/samples/droplet_iisph_01.vtkhdf
-        share/meniscus/models/surface_3d.json include/meniscus/meniscus.h)
+        share/meniscus/models/surface_3d.json share/meniscus/scenes/dam_break.json
+        share/meniscus/scenes/meshes/glass.obj include/meniscus/data/boundary_sampling.hpp
+        include/meniscus/meniscus.h)
     if(NOT EXISTS ${prefix}/${file})
         message(FATAL_ERROR "${file} is not installed")
     endif()

@@ -69,7 +69,7 @@ protected:
                       const std::string& variant = "") const {
         Json json = Json::parse(text);
         change(json);
-        const std::string message = error_of<InputError>([&] { scene(json.dump(), variant); });
+        std::string message = error_of<InputError>([&] { scene(json.dump(), variant); });
         EXPECT_NE(message.find("some.json"), std::string::npos) << message;
         return message;
     }

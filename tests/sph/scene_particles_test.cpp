@@ -85,6 +85,8 @@ TEST(SceneParticles, RefusesScenesWithoutFluidOrWithTooMuch) {
     expect_mentions(error_from(scene_with({})), {"'some'", "no fluid"});
     expect_mentions(error_from(scene_with({{BoxShape{{0, 0, 0}, {1, 1, 0.05}, {}}, {}}})),
                     {"fluid[0]", "no particle"});
+    expect_mentions(error_from(scene_with({{BoxShape{{0, 0, 0}, {1e9, 1e9, 0.05}, {}}, {}}})),
+                    {"fluid[0]", "no particle"});
     expect_mentions(error_from(scene_with({{BoxShape{{0, 0, 0}, {1e9, 1e9, 1e9}, {}}, {}}})),
                     {"fluid[0]", "1e+30", "particle_spacing"});
     expect_mentions(error_from(scene_with({{SphereShape{{}, {1e3, 1e3, 1e3}}, {}}})),
