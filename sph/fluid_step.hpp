@@ -3,7 +3,12 @@
 // Included by each step_*.cpp, inside the region that it compiles for its instruction set.
 #pragma once
 
+#include "akinci_2013.hpp"
+#include "becker_2007.hpp"
+#include "color_field.hpp"
 #include "dfsph.hpp"
+#include "he_2014.hpp"
+#include "huber_2015.hpp"
 #include "iisph.hpp"
 #include "monte_carlo_tension.hpp"
 #include "neighbor_lists.hpp"
@@ -39,9 +44,20 @@ make_tension_model(const TensionOptions& options, const StepUnits& units, double
     switch (options.model) {
     case TensionModel::meniscus:
         return std::make_unique<MonteCarloTension<Real, Dimension>>(options, units, spacing);
-    default:
-        return nullptr;
+    case TensionModel::becker_2007:
+        return std::make_unique<BeckerTension<Real, Dimension>>(options);
+    case TensionModel::huber_2015:
+        return std::make_unique<HuberTension<Real, Dimension>>(options, spacing);
+    case TensionModel::akinci_2013:
+        return std::make_unique<AkinciTension<Real, Dimension>>(options);
+    case TensionModel::he_2014:
+        return std::make_unique<HeTension<Real, Dimension>>(options);
+    case TensionModel::color_field:
+        return std::make_unique<ColorFieldTension<Real, Dimension>>(options);
+    case TensionModel::none:
+        break;
     }
+    return nullptr;
 }
 
 /// Adds up the seconds since it was last asked.
