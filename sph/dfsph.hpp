@@ -1,6 +1,8 @@
 // Divergence-free SPH (Bender and Koschier 2015, 2017): two solves a step. The first takes the
 // compression out of the velocities that the last step left, the second keeps the density at rest
-// after the forces of this one. Both start from the pressures of the last step.
+// after the forces of this one. Both start from half the pressures of the last step, as IISPH does:
+// all of them are mostly too much, and since a fluid that expands is within the limits, what is too
+// much stays, and a tank never comes to rest.
 #pragma once
 
 #include "pressure_solver.hpp"
@@ -20,7 +22,7 @@ public:
         if (this->options.divergence_error == 0)
             return {};
         for (Real& value : this->divergence) // kept times dt, since the step may change
-            value /= dt;
+            value *= Real(0.5) / dt;
         // Below the rest density there is room: without it, a fluid that starts or tears loose
         // would keep its holes forever.
         system.set_source(fluid, dt,
@@ -33,6 +35,8 @@ public:
     }
 
     SolveReport solve(FluidType& fluid, Real dt) override {
+        for (Real& value : this->pressure)
+            value *= Real(0.5);
         system.set_source(fluid, dt, [&](std::size_t i) { return fluid.density[i] - 1; });
         return system.iterate(fluid, dt, this->options.density_error, this->options,
                               this->pressure);

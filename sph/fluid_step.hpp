@@ -121,6 +121,7 @@ public:
         const SolveReport pressure = solver->solve(fluid, static_cast<Real>(report.time_step));
         report.seconds.pressure = clock.lap();
 
+        stop_at_walls(static_cast<Real>(report.time_step));
         move(state, report.time_step);
         report.time = state.time;
         report.largest_speed = largest_speed(0) * scene.support_radius;
@@ -162,6 +163,7 @@ private:
     Cells<Real> cells;
     Cells<Real> wall_cells;
     std::vector<std::uint8_t> near_walls; ///< for each cell of the walls
+    Real contact_density = 0;             ///< that a flat wall has half a spacing away
     ListBuffers buffers;
     ListBuffers wall_buffers;
     std::vector<std::uint32_t> cell_of;
@@ -185,8 +187,8 @@ private:
         return {layout.low[0] - 10, layout.low[1] - 10, layout.low[2] - 10, 0};
     }
 
-    /// Sorts the walls and gives each particle its volume: 1 / sum_k W_bk (Akinci et al. 2012, eq.
-    /// 4) times what makes a flat wall right.
+    /// Sorts the walls and gives each particle its volume: the smaller, the more others are around
+    /// (Akinci et al. 2012, eq. 4).
     void add_walls(const Positions& walls) {
         rows.resize(walls.size());
         for (std::size_t b = 0; b < walls.size(); ++b)
@@ -203,37 +205,42 @@ private:
                                     static_cast<std::uint32_t>(walls.size()), fluid.loop,
                                     wall_buffers, lists);
         with_kernel<Real, Dimension>(fluid.kernel, [&](auto kernel) {
-            const Real scale = flat_wall_scale(kernel);
+            const Real flat = flat_wall_volume(kernel);
+            const double spacing = scene.particle_spacing / scene.support_radius;
+            const auto flat_sum = static_cast<Real>(layer_sum(kernel, spacing, 0));
+            contact_density = flat * static_cast<Real>(layer_sum(kernel, spacing, 0.5));
             fluid.loop.each(walls.size(), [&](std::size_t b) {
                 Lanes<Real> sum = kernel.value(Lanes<Real>{}) * Lanes<Real>{1, 0, 0, 0, 0, 0, 0, 0};
                 visit_lists<Real, Dimension>(fluid.wall_place.data(), fluid.wall_place[b], lists, b,
                                              [&](const NeighborLanes<Real, Dimension>& lanes) {
                                                  sum += kernel.value(lanes.distance_squared);
                                              });
-                rows[b].w = scale / sum_of_lanes<Real>(sum);
+                rows[b].w = flat * std::min(Real(1), flat_sum / sum_of_lanes<Real>(sum));
             });
         });
         for (std::size_t b = 0; b < walls.size(); ++b)
             fluid.wall_place[b].w = rows[b].w;
     }
 
-    /// One layer stands for all that the kernel would find behind it: with this factor (0.70 for
-    /// the cubic spline at two spacings, the value in use for it) particles on a lattice one
-    /// spacing off a flat wall have the density that they have inside.
+    /// The volume of a particle in a flat wall. One layer stands for all that the kernel would find
+    /// behind it: with this volume particles on a lattice one spacing off the wall have the density
+    /// that they have inside. For the cubic spline at two spacings it is 0.70 / sum_k W_bk, the
+    /// factor in use for it. In corners of a tank the sum is smaller, but nothing more is missing:
+    /// no particle gets a larger volume.
     template <class Kernel>
-    [[nodiscard]] Real flat_wall_scale(const Kernel& kernel) const {
+    [[nodiscard]] Real flat_wall_volume(const Kernel& kernel) const {
         const double spacing = scene.particle_spacing / scene.support_radius;
         const int reach = static_cast<int>(1 / spacing) + 1;
         double behind = 0;
         for (int layer = 1; layer <= reach; ++layer)
             behind += layer_sum(kernel, spacing, layer);
-        return static_cast<Real>(std::pow(spacing, Dimension) * layer_sum(kernel, spacing, 0) *
-                                 behind / layer_sum(kernel, spacing, 1));
+        return static_cast<Real>(std::pow(spacing, Dimension) * behind /
+                                 layer_sum(kernel, spacing, 1));
     }
 
     /// The sum of W over a lattice plane (in 2D a row) so many spacings away.
     template <class Kernel>
-    static double layer_sum(const Kernel& kernel, double spacing, int layer) {
+    static double layer_sum(const Kernel& kernel, double spacing, double layer) {
         const int reach = static_cast<int>(1 / spacing) + 1;
         double sum = 0;
         for (int x = -reach; x <= reach; ++x)
@@ -380,6 +387,21 @@ private:
             smooth_velocities(static_cast<Real>(scene.viscosity.xsph), fluid, rows);
             fluid.velocity.swap(rows);
         }
+    }
+
+    /// Takes out the approach to a wall that would lead closer to it than half a spacing. Pressure
+    /// keeps a fluid farther off, but a particle alone is as dense as the fluid at rest only when
+    /// it is within the wall, and would pass.
+    void stop_at_walls(Real dt) {
+        fluid.loop.each(fluid.count, [&](std::size_t i) {
+            const Row<Real>& gradient = fluid.wall_gradient[i];
+            const Real approach = dot_rows(fluid.velocity[i], gradient);
+            const Real excess = fluid.wall_density[i] + dt * approach - contact_density;
+            if (approach > 0 && excess > 0)
+                fluid.velocity[i] =
+                    plus(fluid.velocity[i],
+                         -std::min(excess / dt, approach) / dot_rows(gradient, gradient), gradient);
+        });
     }
 
     void move(SimulationState& state, double dt) {

@@ -76,7 +76,8 @@ struct PressureOptions {
     int most_iterations = 100;
     bool clip_negative = true; ///< no pressure pulls
     double sound_speed = 0;    ///< WCSPH, m/s
-    double relaxation = 0.5;   ///< IISPH: omega
+    double relaxation = 0.5;   ///< IISPH and DFSPH: omega of the Jacobi iterations
+    bool accelerate = true;    ///< IISPH and DFSPH: iterations keep momentum; false: as published
 };
 
 enum class TensionModel {

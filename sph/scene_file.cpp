@@ -210,7 +210,8 @@ void refuse_with(const JsonReader& reader, const char* key, const std::string& b
 
 PressureOptions read_pressure(const JsonReader& reader) {
     reader.expect_only({"solver", "density_error", "divergence_error", "least_iterations",
-                        "most_iterations", "clip_negative", "sound_speed", "relaxation"});
+                        "most_iterations", "clip_negative", "sound_speed", "relaxation",
+                        "accelerate"});
     PressureOptions options;
     options.solver = static_cast<PressureSolverKind>(reader.choice("solver", solver_names));
     const std::string because = "it has no meaning for solver " + reader.text("solver");
@@ -220,8 +221,11 @@ PressureOptions read_pressure(const JsonReader& reader) {
             refuse_with(reader, key, because);
     if (options.solver != PressureSolverKind::dfsph)
         refuse_with(reader, "divergence_error", because);
-    if (options.solver != PressureSolverKind::iisph)
-        refuse_with(reader, "relaxation", because);
+    const bool relaxes =
+        options.solver == PressureSolverKind::iisph || options.solver == PressureSolverKind::dfsph;
+    for (const char* key : {"relaxation", "accelerate"})
+        if (!relaxes)
+            refuse_with(reader, key, because);
     if (iterates)
         refuse_with(reader, "sound_speed", because);
     else
@@ -232,6 +236,7 @@ PressureOptions read_pressure(const JsonReader& reader) {
     take(reader, "most_iterations", 1, largest_iterations, options.most_iterations);
     take(reader, "clip_negative", options.clip_negative);
     take(reader, "relaxation", 0.01, 1, options.relaxation);
+    take(reader, "accelerate", options.accelerate);
     if (options.least_iterations > options.most_iterations)
         reader.refuse("least_iterations", "at most 'most_iterations', which is " +
                                               std::to_string(options.most_iterations));
@@ -469,7 +474,8 @@ Json json_of(const PressureOptions& options) {
             {"most_iterations", options.most_iterations},
             {"clip_negative", options.clip_negative},
             {"sound_speed", options.sound_speed},
-            {"relaxation", options.relaxation}};
+            {"relaxation", options.relaxation},
+            {"accelerate", options.accelerate}};
 }
 
 template <class Value>

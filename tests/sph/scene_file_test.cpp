@@ -39,7 +39,8 @@ const char* full_scene = R"({
   "gravity": [0, -9.81, 0], "domain": {"low": [-50, -50, -50], "high": [50, 50, 50]},
   "kernel": "mueller",
   "pressure": {"solver": "iisph", "density_error": 0.01, "least_iterations": 3,
-               "most_iterations": 50, "clip_negative": false, "relaxation": 0.4},
+               "most_iterations": 50, "clip_negative": false, "relaxation": 0.4,
+               "accelerate": false},
   "viscosity": {"kinematic": 0.02, "density_correction": true, "xsph": 0.1},
   "surface_tension": {"model": "meniscus", "coefficient": 3, "samples": 64, "verify": false,
                       "balance_momentum": false, "k": 74.7, "d": 28, "paper": true},
@@ -119,6 +120,7 @@ TEST_F(SceneFile, ReadsEveryValue) {
     EXPECT_EQ(read.pressure.most_iterations, 50);
     EXPECT_FALSE(read.pressure.clip_negative);
     EXPECT_EQ(read.pressure.relaxation, 0.4);
+    EXPECT_FALSE(read.pressure.accelerate);
     EXPECT_EQ(read.viscosity.kinematic, 0.02);
     EXPECT_TRUE(read.viscosity.density_correction);
     EXPECT_EQ(read.viscosity.xsph, 0.1);
@@ -266,6 +268,7 @@ TEST_F(SceneFile, NamesWhatIsOutOfRange) {
         {"/pressure/most_iterations", {0, 1e9}},
         {"/pressure/clip_negative", {1, "yes"}},
         {"/pressure/relaxation", {0, 1.1}},
+        {"/pressure/accelerate", {1}},
         {"/viscosity/kinematic", {-1, huge}},
         {"/viscosity/density_correction", {1}},
         {"/viscosity/xsph", {-0.1, 1.1}},
@@ -311,7 +314,7 @@ TEST_F(SceneFile, NamesKeysThatContradictEachOther) {
     expect_mentions(error_with("/pressure/sound_speed", 88), {"'pressure.sound_speed'", "iisph"});
     expect_mentions(error_with("/pressure/divergence_error", 0.1),
                     {"'pressure.divergence_error'", "iisph"});
-    expect_mentions(error_with("/pressure/solver", "dfsph"), {"'pressure.relaxation'", "dfsph"});
+    expect_mentions(error_with("/pressure/solver", "pcisph"), {"'pressure.relaxation'", "pcisph"});
     expect_mentions(error_with("/pressure", {{"solver", "wcsph"}}), {"sound_speed", "missing"});
     expect_mentions(error_with("/pressure",
                                {{"solver", "wcsph"}, {"sound_speed", 88}, {"density_error", 0.01}}),
