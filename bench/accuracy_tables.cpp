@@ -5,16 +5,22 @@
 //   sweep         neyman-pearson against an exhaustive sweep over slopes
 //   own-line      what a line fitted to one state alone would reach there, and its bulk
 //   readme        the short one of the README
+//   sources       lines trained on SAMPLES, on OWN states and on both, on each of these and on
+//   AUDITED lines         models as they are: what each misses and lets through, run by run
 // Usage: accuracy_tables TABLE LABELLED...
+//        accuracy_tables sources SAMPLES... -- OWN... -- AUDITED...
+//        accuracy_tables lines MODEL... -- LABELLED...
 #include <meniscus/classifier/audit.hpp>
 #include <meniscus/classifier/torch_plugin.hpp>
 #include <meniscus/classifier/trainer.hpp>
 #include <meniscus/data/snapshot_files.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <exception>
 #include <fmt/format.h>
+#include <iterator>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -226,13 +232,150 @@ void print_own_line(const std::vector<File>& files) {
     }
 }
 
+using States = std::vector<LabelledState>;
+
+States relative(States states) {
+    for (LabelledState& state : states)
+        make_relative(state);
+    return states;
+}
+
+States without(const States& states, const std::string& scene) {
+    States rest;
+    std::copy_if(states.begin(), states.end(), std::back_inserter(rest),
+                 [&](const LabelledState& state) { return state.scene != scene; });
+    return rest;
+}
+
+SceneErrors sum_of(const std::vector<SceneErrors>& scenes) {
+    SceneErrors sum;
+    for (const SceneErrors& scene : scenes) {
+        sum.particles += scene.particles;
+        sum.surface_particles += scene.surface_particles;
+        sum.false_negatives += scene.false_negatives;
+        sum.false_positives += scene.false_positives;
+    }
+    return sum;
+}
+
+double share(std::size_t part, std::size_t whole) {
+    return 100 * static_cast<double>(part) / static_cast<double>(whole);
+}
+
+std::string cell(const SceneErrors& errors) {
+    return fmt::format("{} of {}, {:.2f} %", errors.false_negatives, errors.surface_particles,
+                       share(errors.false_positives, errors.particles));
+}
+
+/// Errors on states of a line that saw the training states but for the scene that it is judged on.
+SceneErrors unseen_errors(const States& training, const States& judged, double threshold) {
+    TrainingOptions options;
+    options.label_threshold = threshold;
+    std::vector<SceneErrors> all;
+    for (const std::string& scene : group_by_scene(judged).names) {
+        States of_scene;
+        std::copy_if(judged.begin(), judged.end(), std::back_inserter(of_scene),
+                     [&](const LabelledState& state) { return state.scene == scene; });
+        const Line line = train(without(training, scene), options).line;
+        all.push_back(sum_of(count_errors(of_scene, line, threshold)));
+    }
+    return sum_of(all);
+}
+
+void print_sources_rows(const std::array<States, 3>& groups, double threshold,
+                        const std::string& counts) {
+    const auto& [samples, own, audited] = groups;
+    States both = samples;
+    both.insert(both.end(), own.begin(), own.end());
+    const std::pair<const char*, const States&> trainings[] = {
+        {"samples", samples}, {"own states", own}, {"both", both}};
+    for (const auto& [name, training] : trainings) {
+        TrainingOptions options;
+        options.label_threshold = threshold;
+        const Line line = train(training, options).line;
+        fmt::print("| {}{} | {} | {:.1f} | {:.2f} |", threshold, counts, name, line.k, line.d);
+        for (const States& judged : groups)
+            fmt::print(" {} |", cell(unseen_errors(training, judged, threshold)));
+        fmt::print("\n");
+    }
+}
+
+void print_sources(const std::vector<std::vector<std::string>>& files) {
+    if (files.size() != 3)
+        throw std::runtime_error("usage: accuracy_tables sources SAMPLES... -- OWN... -- "
+                                 "AUDITED...");
+    std::array<States, 3> groups;
+    std::array<States, 3> scaled;
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+        for (const std::string& file : files[g])
+            groups[g].push_back(read_labelled_state(file, ""));
+        scaled[g] = relative(groups[g]);
+    }
+    fmt::print("| label threshold | trained on | k | d | samples | own states | own, papers' sizes "
+               "|\n|---|---|---|---|---|---|---|\n");
+    print_sources_rows(groups, 0.02, "");
+    print_sources_rows(groups, 0, "");
+    print_sources_rows(scaled, 0.02, ", relative counts");
+}
+
+void print_lines(const std::vector<std::vector<std::string>>& files) {
+    if (files.size() != 2)
+        throw std::runtime_error("usage: accuracy_tables lines MODEL... -- LABELLED...");
+    std::vector<Model> models;
+    fmt::print("| run | particles |");
+    std::string rule = "|---|---|";
+    for (const std::string& file : files[0]) {
+        models.push_back(read_model(file));
+        fmt::print(" {} | candidates for each surface particle |",
+                   std::filesystem::path(file).stem().string());
+        rule += "---|---|";
+    }
+    fmt::print("\n{}\n", rule);
+    States states;
+    for (const std::string& file : files[1])
+        states.push_back(read_labelled_state(file, ""));
+    for (const std::string& run : group_by_scene(states).names) {
+        States of_run;
+        std::copy_if(states.begin(), states.end(), std::back_inserter(of_run),
+                     [&](const LabelledState& state) { return state.scene == run; });
+        std::string cells;
+        std::size_t particles = 0;
+        for (const Model& model : models) {
+            const SceneErrors sum = sum_of(count_errors(of_run, model.line, model.label_threshold));
+            const auto candidates =
+                sum.surface_particles - sum.false_negatives + sum.false_positives;
+            cells += fmt::format(" {} | {:.1f} |", cell(sum),
+                                 share(candidates, sum.surface_particles) / 100);
+            particles = sum.particles;
+        }
+        fmt::print("| {} | {} |{}\n", run, particles, cells);
+    }
+}
+
+/// Arguments from the second on, cut at "--".
+std::vector<std::vector<std::string>> groups_of(int argument_count, char** arguments) {
+    std::vector<std::vector<std::string>> groups(1);
+    for (int a = 2; a < argument_count; ++a)
+        if (arguments[a] == std::string("--"))
+            groups.emplace_back();
+        else
+            groups.back().emplace_back(arguments[a]);
+    return groups;
+}
+
 int run(int argument_count, char** arguments) {
+    const std::map<std::string, void (*)(const std::vector<std::vector<std::string>>&)> of_groups =
+        {{"sources", print_sources}, {"lines", print_lines}};
+    if (argument_count > 1 && of_groups.count(arguments[1]) != 0) {
+        of_groups.at(arguments[1])(groups_of(argument_count, arguments));
+        return 0;
+    }
     const std::map<std::string, void (*)(const std::vector<File>&)> tables = {
         {"training", print_training}, {"unseen", print_unseen},     {"published", print_published},
         {"sweep", print_sweep},       {"own-line", print_own_line}, {"readme", print_readme}};
     if (argument_count < 3 || tables.count(arguments[1]) == 0)
         throw std::runtime_error("usage: accuracy_tables training|unseen|published|sweep|own-line|"
-                                 "readme LABELLED...");
+                                 "readme|sources|lines LABELLED...");
     std::vector<File> files;
     for (int a = 2; a < argument_count; ++a) {
         File file;

@@ -78,7 +78,8 @@ typedef struct meniscus_curvature_map {
 /* What a scene needs. Set by meniscus_options_init or meniscus_options_paper, then changed. */
 typedef struct meniscus_options {
     size_t size;             /* of this struct, which tells versions apart; set by the two */
-    double k, d;             /* line of the classifier: candidates have y <= k x + d */
+    double k, d;             /* line of the classifier: candidates have y <= k x + d; both NaN, as
+                                the two set them: the line that ships for the dimension */
     double radius_ratio;     /* r2 / r1 that the line was trained with, above 0, below 1 */
     size_t samples;          /* a particle, 4 to 16384; see meniscus_set_samples */
     uint64_t seed;           /* of the samples */

@@ -3,14 +3,15 @@
 
 #include <meniscus/runtime/surface_tension.hpp>
 
+#include <limits>
+
 namespace meniscus {
 namespace {
 
 meniscus_options plain(const SurfaceTensionOptions& from) {
     meniscus_options to{};
     to.size = sizeof to;
-    to.k = from.k;
-    to.d = from.d;
+    to.k = to.d = std::numeric_limits<double>::quiet_NaN(); // known with the dimension only
     to.radius_ratio = from.exposure.radius_ratio;
     to.samples = from.samples;
     to.seed = from.seed;

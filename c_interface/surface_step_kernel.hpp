@@ -79,8 +79,9 @@ struct HostBoundary {
 
 inline SurfaceTensionOptions runtime_options(const meniscus_options& from, int dimension) {
     SurfaceTensionOptions to;
-    to.k = from.k;
-    to.d = from.d;
+    const bool shipped_line = std::isnan(from.k) && std::isnan(from.d);
+    set_line(to,
+             shipped_line ? shipped_surface_line(dimension) : SurfaceLine<double>{from.k, from.d});
     to.samples = from.samples;
     to.seed = from.seed;
     to.exposure.radius_ratio = from.radius_ratio;

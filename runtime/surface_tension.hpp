@@ -14,7 +14,7 @@
 #include "connected_bodies.hpp"
 #include "momentum.hpp"
 #include "shipped_curvature_map.hpp"
-#include "surface_coefficients.hpp"
+#include "shipped_surface_line.hpp"
 #include "surface_force.hpp"
 
 #include <stdexcept>
@@ -25,8 +25,8 @@ inline namespace MENISCUS_INSTRUCTION_SET {
 /// How curvature is found.
 enum class CurvatureForm { closed, mapped };
 
-/// What a scene needs. The defaults are the project's own choices; `paper_options` gives the
-/// paper's.
+/// What a scene needs. The defaults are the project's own choices in three dimensions;
+/// `shipped_options` has them for each, and `paper_options` gives the paper's.
 struct SurfaceTensionOptions {
     double k = SurfaceCoefficients::k; ///< line of the classifier, y <= k x + d
     double d = SurfaceCoefficients::d;
@@ -43,10 +43,19 @@ struct SurfaceTensionOptions {
     ForceOptions force;
 };
 
+/// Sets the line of the classifier.
+inline void set_line(SurfaceTensionOptions& options, const SurfaceLine<double>& line) {
+    options.k = line.k;
+    options.d = line.d;
+}
+
 /// The 2020 paper's method as published: sampled coverage alone, the closed form smoothed once,
-/// every surface particle with weight 1, and its force times the face of a particle.
-inline SurfaceTensionOptions paper_options() {
+/// every surface particle with weight 1, and its force times the face of a particle. The line is
+/// the one that ships for the dimension.
+template <int Dimension = 3>
+SurfaceTensionOptions paper_options() {
     SurfaceTensionOptions options;
+    set_line(options, shipped_surface_line(Dimension));
     options.exposure.verification = Verification::drop;
     options.exposure.fade = 0;
     options.curvature = CurvatureForm::closed;
@@ -55,10 +64,11 @@ inline SurfaceTensionOptions paper_options() {
     return options;
 }
 
-/// The project's own choices with the curvature map that ships for the dimension.
+/// The project's own choices with the line and the curvature map that ship for the dimension.
 template <int Dimension>
 SurfaceTensionOptions shipped_options() {
     SurfaceTensionOptions options;
+    set_line(options, shipped_surface_line(Dimension));
     options.map = shipped_curvature_map(Dimension);
     return options;
 }

@@ -1,23 +1,33 @@
 #!/usr/bin/env bash
-# Trains the lines that ship with the project on its samples and the maps of curvature on filled
-# clouds, and exports their headers. For whoever
-# changes the samples, the labels or the training: scripts/train_shipped_models.sh [MENISCUS]
+# Trains the lines that ship with the project, on its samples and on states of its own scenes
+# (scripts/make_states.sh, which takes some minutes), and the maps of curvature on filled clouds, and
+# exports their headers. For whoever changes the samples, the scenes, the step, the labels or the
+# training: scripts/train_shipped_models.sh [MENISCUS]
 set -euo pipefail
 cd "$(dirname "$0")/.."
 meniscus=${1:-build/release/bin/meniscus}
 labelled=$(mktemp -d)
 trap 'rm -r "$labelled"' EXIT
-"$meniscus" label data/samples/*.vtkhdf -o "$labelled" --quiet
+"$meniscus" label data/samples/*.vtkhdf -o "$labelled/samples" --quiet
+for kind in wide_training_3d training_2d wide_training_2d; do
+    scripts/make_states.sh "$kind" "$labelled/$kind" "$meniscus"
+done
 
-# ship MODEL HEADER STRUCT [OPTIONS OF TRAIN]
+# ship STATES MODEL HEADER STRUCT [OPTIONS OF TRAIN]
 ship() {
-    "$meniscus" train "$labelled"/*.vtkhdf -o "configs/models/$1.json" "${@:4}"
-    "$meniscus" export "configs/models/$1.json" -o "runtime/$2.hpp" --name "$3" --quiet
+    "$meniscus" train "$labelled/$1"/*.vtkhdf -o "configs/models/$2.json" "${@:5}"
+    "$meniscus" export "configs/models/$2.json" -o "runtime/$3.hpp" --name "$4" --quiet
 }
-ship surface_3d surface_coefficients SurfaceCoefficients --label-threshold 0.02
-ship surface_3d_strict strict_surface_coefficients StrictSurfaceCoefficients --label-threshold 0
-ship surface_3d_relative relative_surface_coefficients RelativeSurfaceCoefficients \
+ship samples surface_3d surface_coefficients SurfaceCoefficients --label-threshold 0.02
+ship samples surface_3d_strict strict_surface_coefficients StrictSurfaceCoefficients \
+    --label-threshold 0
+ship samples surface_3d_relative relative_surface_coefficients RelativeSurfaceCoefficients \
     --label-threshold 0.02 --relative-count
+ship wide_training_3d surface_3d_wide wide_surface_coefficients WideSurfaceCoefficients \
+    --label-threshold 0.02
+ship training_2d surface_2d surface_coefficients_2d SurfaceCoefficients2D --label-threshold 0
+ship wide_training_2d surface_2d_wide wide_surface_coefficients_2d WideSurfaceCoefficients2D \
+    --label-threshold 0
 
 # ship_curvature CONFIG MODEL HEADER: maps of curvature, from clouds; needs libtorch.
 ship_curvature() {

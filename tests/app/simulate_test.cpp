@@ -121,6 +121,38 @@ TEST_F(Simulate, WritesFramesAndALog) {
         EXPECT_EQ(row.size(), log(log_file)[0].size());
 }
 
+/// What the project is for, from end to end: a flow of our own, its exact labels, and the shipped
+/// line, which misses nothing.
+TEST_F(Simulate, ShippedLineMissesNothingOfAFlow) {
+    succeed(simulate(save_scene(tank()), "tank", {"--duration", "0.3"}));
+    succeed(simulate(Path(MENISCUS_SCENES) / "dam_break_2d.json", "dam",
+                     {"--variant", "square", "--set", "particle_spacing=0.05", "--duration", "0.4",
+                      "--set", "frame_interval=0.1"}));
+    for (const auto& [out, frames, model, threshold] :
+         {std::tuple{"tank", "tank", "surface_3d.json", "0.02"},
+          std::tuple{"dam", "dam_break_2d", "surface_2d.json", "0"}}) {
+        Words inputs;
+        for (const std::string& name : files_in(out))
+            if (name.rfind(frames + std::string("_0"), 0) == 0)
+                inputs.push_back(folder / out / name);
+        const Path labels = folder / (out + std::string("_labels"));
+        succeed(Words{"label", "-o", labels, "--quiet"} + inputs);
+        Words labelled;
+        for (const auto& entry : std::filesystem::directory_iterator(labels))
+            labelled.push_back(entry.path());
+        const Outcome audit =
+            run(program +
+                Words{"audit", "--model", Path(MENISCUS_MODELS) / model, "--label-threshold",
+                      threshold, "--format", "json", "--max-false-negatives", "0"} +
+                labelled);
+        EXPECT_EQ(audit.status, 0) << audit.output << audit.errors;
+        const Json total = Json::parse(audit.output)["total"];
+        EXPECT_GT(total["surface"], 200) << out;
+        EXPECT_EQ(total["false_negatives_float"], 0) << out;
+        EXPECT_LT(total["false_positive_rate"], 0.7) << out;
+    }
+}
+
 TEST_F(Simulate, LogAgreesWithFrames) {
     succeed(simulate(save_scene(tank()), "out"));
     const Path log_file = folder / "out" / "tank_log.csv";

@@ -90,6 +90,34 @@ TEST(CInterface, GivesWhatTheHeadersGive) {
     }
 }
 
+/// Options that name no line have the one that ships for the dimension of the handle.
+template <int Dimension>
+void expect_shipped_line(bool paper) {
+    const auto fluid = ball<double, Dimension>(Dimension == 3 ? 5 : 12, 0.2);
+    const Host<double, Dimension> host(fluid);
+    const auto found_by = [&](const meniscus_options& options) {
+        const auto surface = create(options, Dimension, MENISCUS_DOUBLE);
+        const auto particles = host.particles();
+        EXPECT_EQ(meniscus_step(surface.get(), &particles), MENISCUS_OK);
+        return Found::of<double>(results_of(surface.get()), Dimension);
+    };
+    meniscus_options options;
+    (paper ? meniscus_options_paper : meniscus_options_init)(&options, sizeof options);
+    const Found found = found_by(options);
+    options.k = shipped_surface_line(Dimension).k;
+    options.d = shipped_surface_line(Dimension).d;
+    EXPECT_TRUE(found == found_by(options));
+    options.d = 0;
+    EXPECT_FALSE(found == found_by(options));
+}
+
+TEST(CInterface, TakesTheLineOfTheDimension) {
+    for (const bool paper : {false, true}) {
+        expect_shipped_line<2>(paper);
+        expect_shipped_line<3>(paper);
+    }
+}
+
 /// A drop on a wall, with radii of its own and the host's candidates.
 TEST(CInterface, BoundaryRadiiAndCandidates) {
     const auto fluid = ball<double, 3>(4, 0.2);

@@ -3,8 +3,12 @@
 #include <meniscus/classifier/model.hpp>
 #include <meniscus/runtime/relative_surface_coefficients.hpp>
 #include <meniscus/runtime/shipped_curvature_map.hpp>
+#include <meniscus/runtime/shipped_surface_line.hpp>
 #include <meniscus/runtime/strict_surface_coefficients.hpp>
 #include <meniscus/runtime/surface_coefficients.hpp>
+#include <meniscus/runtime/surface_tension.hpp>
+#include <meniscus/runtime/wide_surface_coefficients.hpp>
+#include <meniscus/runtime/wide_surface_coefficients_2d.hpp>
 
 #include <fstream>
 #include <gtest/gtest.h>
@@ -30,6 +34,12 @@ TEST(ShippedModels, HeadersAreExportedFromThem) {
               runtime_header("strict_surface_coefficients"));
     EXPECT_EQ(coefficient_header(shipped("surface_3d_relative"), "RelativeSurfaceCoefficients"),
               runtime_header("relative_surface_coefficients"));
+    EXPECT_EQ(coefficient_header(shipped("surface_3d_wide"), "WideSurfaceCoefficients"),
+              runtime_header("wide_surface_coefficients"));
+    EXPECT_EQ(coefficient_header(shipped("surface_2d"), "SurfaceCoefficients2D"),
+              runtime_header("surface_coefficients_2d"));
+    EXPECT_EQ(coefficient_header(shipped("surface_2d_wide"), "WideSurfaceCoefficients2D"),
+              runtime_header("wide_surface_coefficients_2d"));
 }
 
 CurvatureModel shipped_curvature(const std::string& name) {
@@ -62,10 +72,27 @@ TEST(ShippedModels, HeadersSayWhatTheModelsSay) {
     EXPECT_EQ(shipped("surface_3d").line.d, SurfaceCoefficients::d);
     EXPECT_EQ(StrictSurfaceCoefficients::label_threshold, 0);
     EXPECT_EQ(RelativeSurfaceCoefficients::reference_neighbor_count, 40);
+    EXPECT_EQ(SurfaceCoefficients2D::dimension, 2);
+    EXPECT_EQ(WideSurfaceCoefficients::spacing_ratio_min, 2.5);
+}
+
+template <int Dimension>
+void expect_line_of(const std::string& name) {
+    const Line line = shipped(name).line;
+    for (const auto& options : {shipped_options<Dimension>(), paper_options<Dimension>()}) {
+        EXPECT_EQ(options.k, line.k);
+        EXPECT_EQ(options.d, line.d);
+    }
+}
+
+TEST(ShippedModels, TheRuntimeTakesTheOneOfItsDimension) {
+    expect_line_of<2>("surface_2d");
+    expect_line_of<3>("surface_3d");
 }
 
 TEST(ShippedModels, MissNothingThatTheyWereTrainedOn) {
-    for (const char* name : {"surface_3d", "surface_3d_strict", "surface_3d_relative"})
+    for (const char* name : {"surface_3d", "surface_3d_strict", "surface_3d_relative",
+                             "surface_3d_wide", "surface_2d", "surface_2d_wide"})
         EXPECT_EQ(shipped(name).false_negatives, 0U) << name;
 }
 
