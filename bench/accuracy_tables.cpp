@@ -4,12 +4,12 @@
 //   published     SPlisHSPlasH's line with the constants d that its authors name
 //   sweep         neyman-pearson against an exhaustive sweep over slopes
 //   own-line      what a line fitted to one state alone would reach there, and its bulk
-//   readme        the short one of the README
 //   sources       lines trained on SAMPLES, on OWN states and on both, on each of these and on
 //   AUDITED lines         models as they are: what each misses and lets through, run by run
 // Usage: accuracy_tables TABLE LABELLED...
 //        accuracy_tables sources SAMPLES... -- OWN... -- AUDITED...
 //        accuracy_tables lines MODEL... -- LABELLED...
+//        accuracy_tables readme SAMPLES... -- OWN...
 #include <meniscus/classifier/audit.hpp>
 #include <meniscus/classifier/torch_plugin.hpp>
 #include <meniscus/classifier/trainer.hpp>
@@ -172,19 +172,6 @@ void print_published(const std::vector<File>& files) {
         }
 }
 
-void print_readme(const std::vector<File>& files) {
-    constexpr double threshold = 0.02;
-    fmt::print(
-        "| scene | particles | our line: missed, let through | our relative line | published "
-        "line, d = 28 |\n|---|---|---|---|---|\n");
-    for (const std::string& scene : scenes_of(files)) {
-        const AuditRow plain = unseen_row(files, "neyman-pearson", threshold, scene);
-        fmt::print("| {} | {} | {} | {} | {} |\n", scene, plain.particles, cell(plain),
-                   cell(unseen_row(files, relative_objective, threshold, scene)),
-                   cell(audit_scene(files, published_model(28), threshold, scene)));
-    }
-}
-
 void print_sweep(const std::vector<File>& files) {
     constexpr double step = 0.05;
     fmt::print("Slopes from 0 to 1000 in steps of {}, each with the smallest d that leaves no "
@@ -240,6 +227,25 @@ States relative(States states) {
     return states;
 }
 
+States read_states(const std::vector<std::string>& files) {
+    States states;
+    for (const std::string& file : files)
+        states.push_back(read_labelled_state(file, ""));
+    return states;
+}
+
+States joined(States states, const States& more) {
+    states.insert(states.end(), more.begin(), more.end());
+    return states;
+}
+
+States of_scene(const States& states, const std::string& scene) {
+    States found;
+    std::copy_if(states.begin(), states.end(), std::back_inserter(found),
+                 [&](const LabelledState& state) { return state.scene == scene; });
+    return found;
+}
+
 States without(const States& states, const std::string& scene) {
     States rest;
     std::copy_if(states.begin(), states.end(), std::back_inserter(rest),
@@ -273,11 +279,8 @@ SceneErrors unseen_errors(const States& training, const States& judged, double t
     options.label_threshold = threshold;
     std::vector<SceneErrors> all;
     for (const std::string& scene : group_by_scene(judged).names) {
-        States of_scene;
-        std::copy_if(judged.begin(), judged.end(), std::back_inserter(of_scene),
-                     [&](const LabelledState& state) { return state.scene == scene; });
         const Line line = train(without(training, scene), options).line;
-        all.push_back(sum_of(count_errors(of_scene, line, threshold)));
+        all.push_back(sum_of(count_errors(of_scene(judged, scene), line, threshold)));
     }
     return sum_of(all);
 }
@@ -285,8 +288,7 @@ SceneErrors unseen_errors(const States& training, const States& judged, double t
 void print_sources_rows(const std::array<States, 3>& groups, double threshold,
                         const std::string& counts) {
     const auto& [samples, own, audited] = groups;
-    States both = samples;
-    both.insert(both.end(), own.begin(), own.end());
+    const States both = joined(samples, own);
     const std::pair<const char*, const States&> trainings[] = {
         {"samples", samples}, {"own states", own}, {"both", both}};
     for (const auto& [name, training] : trainings) {
@@ -307,8 +309,7 @@ void print_sources(const std::vector<std::vector<std::string>>& files) {
     std::array<States, 3> groups;
     std::array<States, 3> scaled;
     for (std::size_t g = 0; g < groups.size(); ++g) {
-        for (const std::string& file : files[g])
-            groups[g].push_back(read_labelled_state(file, ""));
+        groups[g] = read_states(files[g]);
         scaled[g] = relative(groups[g]);
     }
     fmt::print("| label threshold | trained on | k | d | samples | own states | own, papers' sizes "
@@ -331,17 +332,15 @@ void print_lines(const std::vector<std::vector<std::string>>& files) {
         rule += "---|---|";
     }
     fmt::print("\n{}\n", rule);
-    States states;
-    for (const std::string& file : files[1])
-        states.push_back(read_labelled_state(file, ""));
+    const States states = read_states(files[1]);
     for (const std::string& run : group_by_scene(states).names) {
-        States of_run;
-        std::copy_if(states.begin(), states.end(), std::back_inserter(of_run),
-                     [&](const LabelledState& state) { return state.scene == run; });
+        const States of_run = of_scene(states, run);
         std::string cells;
         std::size_t particles = 0;
         for (const Model& model : models) {
-            const SceneErrors sum = sum_of(count_errors(of_run, model.line, model.label_threshold));
+            const States& counted = model.reference_neighbor_count > 0 ? relative(of_run) : of_run;
+            const SceneErrors sum =
+                sum_of(count_errors(counted, model.line, model.label_threshold));
             const auto candidates =
                 sum.surface_particles - sum.false_negatives + sum.false_positives;
             cells += fmt::format(" {} | {:.1f} |", cell(sum),
@@ -349,6 +348,24 @@ void print_lines(const std::vector<std::vector<std::string>>& files) {
             particles = sum.particles;
         }
         fmt::print("| {} | {} |{}\n", run, particles, cells);
+    }
+}
+
+void print_readme(const std::vector<std::vector<std::string>>& files) {
+    if (files.size() != 2)
+        throw std::runtime_error("usage: accuracy_tables readme SAMPLES... -- OWN...");
+    constexpr double threshold = 0.02;
+    const States samples = read_states(files[0]);
+    const States both = joined(samples, read_states(files[1]));
+    fmt::print("| scene | particles | our line: missed of surface, let through of all | our "
+               "relative line | published line, d = 28 |\n|---|---|---|---|---|\n");
+    for (const std::string& scene : group_by_scene(samples).names) {
+        const States judged = of_scene(samples, scene);
+        const SceneErrors plain = unseen_errors(both, judged, threshold);
+        const auto published = count_errors(judged, published_model(28).line, threshold);
+        fmt::print("| {} | {} | {} | {} | {} |\n", scene, plain.particles, cell(plain),
+                   cell(unseen_errors(relative(samples), relative(judged), threshold)),
+                   cell(sum_of(published)));
     }
 }
 
@@ -365,14 +382,17 @@ std::vector<std::vector<std::string>> groups_of(int argument_count, char** argum
 
 int run(int argument_count, char** arguments) {
     const std::map<std::string, void (*)(const std::vector<std::vector<std::string>>&)> of_groups =
-        {{"sources", print_sources}, {"lines", print_lines}};
+        {{"sources", print_sources}, {"lines", print_lines}, {"readme", print_readme}};
     if (argument_count > 1 && of_groups.count(arguments[1]) != 0) {
         of_groups.at(arguments[1])(groups_of(argument_count, arguments));
         return 0;
     }
     const std::map<std::string, void (*)(const std::vector<File>&)> tables = {
-        {"training", print_training}, {"unseen", print_unseen},     {"published", print_published},
-        {"sweep", print_sweep},       {"own-line", print_own_line}, {"readme", print_readme}};
+        {"training", print_training},
+        {"unseen", print_unseen},
+        {"published", print_published},
+        {"sweep", print_sweep},
+        {"own-line", print_own_line}};
     if (argument_count < 3 || tables.count(arguments[1]) == 0)
         throw std::runtime_error("usage: accuracy_tables training|unseen|published|sweep|own-line|"
                                  "readme|sources|lines LABELLED...");

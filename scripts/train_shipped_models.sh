@@ -9,17 +9,21 @@ meniscus=${1:-build/release/bin/meniscus}
 labelled=$(mktemp -d)
 trap 'rm -r "$labelled"' EXIT
 "$meniscus" label data/samples/*.vtkhdf -o "$labelled/samples" --quiet
-for kind in wide_training_3d training_2d wide_training_2d; do
+for kind in training_3d wide_training_3d training_2d wide_training_2d; do
     scripts/make_states.sh "$kind" "$labelled/$kind" "$meniscus"
 done
 
-# ship STATES MODEL HEADER STRUCT [OPTIONS OF TRAIN]
+# ship STATES MODEL HEADER STRUCT [OPTIONS OF TRAIN]; STATES: one or more folders in one word
 ship() {
-    "$meniscus" train "$labelled/$1"/*.vtkhdf -o "configs/models/$2.json" "${@:5}"
+    local files=() folder
+    for folder in $1; do
+        files+=("$labelled/$folder"/*.vtkhdf)
+    done
+    "$meniscus" train "${files[@]}" -o "configs/models/$2.json" "${@:5}"
     "$meniscus" export "configs/models/$2.json" -o "runtime/$3.hpp" --name "$4" --quiet
 }
-ship samples surface_3d surface_coefficients SurfaceCoefficients --label-threshold 0.02
-ship samples surface_3d_strict strict_surface_coefficients StrictSurfaceCoefficients \
+ship "samples training_3d" surface_3d surface_coefficients SurfaceCoefficients --label-threshold 0.02
+ship "samples training_3d" surface_3d_strict strict_surface_coefficients StrictSurfaceCoefficients \
     --label-threshold 0
 ship samples surface_3d_relative relative_surface_coefficients RelativeSurfaceCoefficients \
     --label-threshold 0.02 --relative-count

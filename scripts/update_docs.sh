@@ -3,7 +3,7 @@
 # comments, and draws the plots. Takes some minutes, curvature half an hour; speed wants an otherwise
 # idle machine, sampling and normals Debian's python3-matplotlib.
 # Usage: scripts/update_docs.sh [TABLES]   (default: all)
-# TABLES: accuracy, speed, sampling, force, surface-speed, normals, curvature or scenes
+# TABLES: accuracy, own-scenes (runs scenes for some ten minutes), speed, sampling, force, surface-speed, normals, curvature or scenes
 set -euo pipefail
 cd "$(dirname "$0")/.."
 bin=build/release/bin
@@ -32,7 +32,25 @@ if wanted accuracy; then
     for table in training unseen published sweep own-line; do
         "$bin/accuracy_tables" "$table" "$work"/labelled/*.vtkhdf | replace docs/accuracy.md "$table"
     done
-    "$bin/accuracy_tables" readme "$work"/labelled/*.vtkhdf | replace README.md readme
+fi
+if wanted own-scenes; then
+    "$bin/meniscus" label data/samples/*.vtkhdf -o "$work/samples" --quiet
+    for kind in training_3d audit_{3d,2d,wide_3d,wide_2d}; do
+        scripts/make_states.sh "$kind" "$work/$kind"
+    done
+    "$bin/accuracy_tables" sources "$work"/samples/*.vtkhdf -- "$work"/training_3d/*.vtkhdf -- \
+        "$work"/audit_3d/*.vtkhdf | replace docs/accuracy.md sources
+    "$bin/accuracy_tables" readme "$work"/samples/*.vtkhdf -- "$work"/training_3d/*.vtkhdf |
+        replace README.md readme
+    models=configs/models/surface
+    "$bin/accuracy_tables" lines "$models"_3d.json "$models"_3d_strict.json \
+        "$models"_3d_relative.json -- "$work"/audit_3d/*.vtkhdf | replace docs/accuracy.md own-3d
+    "$bin/accuracy_tables" lines "$models"_3d.json "$models"_3d_wide.json -- \
+        "$work"/audit_wide_3d/*.vtkhdf | replace docs/accuracy.md own-wide-3d
+    "$bin/accuracy_tables" lines "$models"_3d.json "$models"_2d.json -- \
+        "$work"/audit_2d/*.vtkhdf | replace docs/accuracy.md own-2d
+    "$bin/accuracy_tables" lines "$models"_2d.json "$models"_2d_wide.json -- \
+        "$work"/audit_wide_2d/*.vtkhdf | replace docs/accuracy.md own-wide-2d
 fi
 if wanted speed; then
     "$bin/speed" data/samples/dam_dfsph_14.vtkhdf 2>/dev/null | replace docs/speed.md speed
