@@ -3,7 +3,8 @@
 # comments, and draws the plots. Takes some minutes, curvature half an hour; speed wants an otherwise
 # idle machine, sampling and normals Debian's python3-matplotlib.
 # Usage: scripts/update_docs.sh [TABLES]   (default: all)
-# TABLES: accuracy, own-scenes (runs scenes for some ten minutes), speed, sampling, force, surface-speed, normals, curvature or scenes
+# TABLES: accuracy, own-scenes (runs scenes for some ten minutes), speed, sampling, force,
+# surface-speed, normals, curvature or scenes
 set -euo pipefail
 cd "$(dirname "$0")/.."
 bin=build/release/bin
