@@ -3,7 +3,8 @@
 # comments, and draws the plots. Takes some minutes, curvature half an hour; speed wants an otherwise
 # idle machine, sampling and normals Debian's python3-matplotlib.
 # Usage: scripts/update_docs.sh [TABLES]   (default: all)
-# TABLES: accuracy, speed, sampling, force, surface-speed, normals, curvature or scenes
+# TABLES: accuracy, speed, sampling, force, surface-speed, normals, curvature, scenes, simulation or
+# step-speed
 set -euo pipefail
 cd "$(dirname "$0")/.."
 bin=build/release/bin
@@ -80,4 +81,14 @@ if wanted curvature; then
 fi
 if wanted scenes; then
     "$bin/scene_table" configs/scenes/*.json | replace docs/scenes.md scenes
+fi
+if wanted simulation; then
+    for table in runs dam_front iterations; do
+        "$bin/solver_runs" "$table" configs/scenes | replace docs/simulation.md "${table//_/-}"
+    done
+fi
+if wanted step-speed; then
+    for table in stages scaling; do
+        "$bin/step_speed" "$table" configs/scenes | replace docs/simulation.md "$table"
+    done
 fi
