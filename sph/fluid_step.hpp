@@ -215,7 +215,7 @@ private:
                                              [&](const NeighborLanes<Real, Dimension>& lanes) {
                                                  sum += kernel.value(lanes.distance_squared);
                                              });
-                rows[b].w = flat * std::min(Real(1), flat_sum / sum_of_lanes<Real>(sum));
+                rows[b].w = flat * flat_sum / sum_of_lanes<Real>(sum);
             });
         });
         for (std::size_t b = 0; b < walls.size(); ++b)
@@ -225,8 +225,7 @@ private:
     /// The volume of a particle in a flat wall. One layer stands for all that the kernel would find
     /// behind it: with this volume particles on a lattice one spacing off the wall have the density
     /// that they have inside. For the cubic spline at two spacings it is 0.70 / sum_k W_bk, the
-    /// factor in use for it. In corners of a tank the sum is smaller, but nothing more is missing:
-    /// no particle gets a larger volume.
+    /// factor in use for it.
     template <class Kernel>
     [[nodiscard]] Real flat_wall_volume(const Kernel& kernel) const {
         const double spacing = scene.particle_spacing / scene.support_radius;
