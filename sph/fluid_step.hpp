@@ -135,7 +135,10 @@ public:
         return report;
     }
 
-    [[nodiscard]] StepResults results() const override {
+    StepResults evaluate(SimulationState& state) override {
+        sort(state);
+        find_neighbors();
+        find_densities(fluid);
         StepResults found;
         const double pressure_unit =
             scene.rest_density * scene.support_radius * scene.support_radius;
@@ -147,8 +150,10 @@ public:
             found.pressure[i] =
                 static_cast<double>(solver->pressure[i]) * density * density * pressure_unit;
         }
-        if (detector || tension)
-            found.surface = (detector ? detector : tension)->results(fluid);
+        if (auto* const model = detector ? detector.get() : tension.get()) {
+            model->add_accelerations(fluid);
+            found.surface = model->results(fluid);
+        }
         return found;
     }
 
