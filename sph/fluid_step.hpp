@@ -117,6 +117,7 @@ public:
 
         report.time_step = time_step_for(largest_speed(last_step), longest);
         apply_accelerations(static_cast<Real>(report.time_step));
+        fit_pressures(last_step, report.time_step);
         report.seconds.motion = clock.lap();
         const SolveReport pressure = solver->solve(fluid, static_cast<Real>(report.time_step));
         report.seconds.pressure = clock.lap();
@@ -392,6 +393,16 @@ private:
             smooth_velocities(static_cast<Real>(scene.viscosity.xsph), fluid, rows);
             fluid.velocity.swap(rows);
         }
+    }
+
+    /// What a longer step starts from must not move particles farther than the last step did: the
+    /// pressure of an impact would throw them away, once they have come to rest and steps are long
+    /// again.
+    void fit_pressures(double last_step, double dt) {
+        if (dt <= last_step)
+            return;
+        const auto share = static_cast<Real>(last_step / dt * (last_step / dt));
+        fluid.loop.each(fluid.count, [&](std::size_t i) { solver->pressure[i] *= share; });
     }
 
     /// Takes out the approach to a wall that would lead closer to it than half a spacing. Pressure

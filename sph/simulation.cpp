@@ -33,6 +33,13 @@ SimulationState first_state(const Scene& scene, const SceneParticles& particles)
     return state;
 }
 
+void check_finite(const Place& vector, const char* whose, std::size_t number, const char* what) {
+    for (const double coordinate : vector)
+        if (!std::isfinite(coordinate))
+            throw InputError(whose + std::to_string(number) + " has a " + what +
+                             " that is not finite");
+}
+
 void check_state(const SimulationState& state) {
     const std::size_t count = state.positions.size();
     if (count >= std::numeric_limits<std::uint32_t>::max() - 8)
@@ -50,15 +57,38 @@ void check_state(const SimulationState& state) {
             throw InputError("particle " + std::to_string(i) + " has the id " +
                              std::to_string(state.ids[i]) +
                              ", expected each number below the number of particles once");
-        for (int axis = 0; axis < 3; ++axis)
-            if (!std::isfinite(state.positions[i][axis]) ||
-                !std::isfinite(state.velocities[i][axis]))
-                throw InputError("particle " + std::to_string(state.ids[i]) +
-                                 " has a position or velocity that is not finite");
+        check_finite(state.positions[i], "particle ", state.ids[i], "position");
+        check_finite(state.velocities[i], "particle ", state.ids[i], "velocity");
         if (!std::isfinite(state.pressures[i]) || !std::isfinite(state.divergences[i]))
             throw InputError("particle " + std::to_string(state.ids[i]) +
                              " has a solver's pressure that is not finite");
     }
+}
+
+/// Throws InputError for a place so far out that single precision would tell it from its neighbors
+/// no more. `what` and `number` name its particle.
+void check_distance(const Place& place, const Scene& scene, const std::array<Place, 2>& domain,
+                    const char* what, std::size_t number) {
+    constexpr double farthest = 1e6; // support radii
+    for (int axis = 0; axis < scene.dimension; ++axis) {
+        const double middle = domain[0][axis] / 2 + domain[1][axis] / 2;
+        if (std::abs(place[axis] - middle) > farthest * scene.support_radius)
+            throw InputError(what + std::to_string(number) + " is at " + "xyz"[axis] + " = " +
+                             number_text(place[axis]) + " m, more than " + number_text(farthest) +
+                             " support radii from the middle of the domain; what belongs to one "
+                             "fluid lies closer together");
+    }
+}
+
+void check_places(const SimulationState& state, const Scene& scene,
+                  const SceneParticles& particles) {
+    for (std::size_t b = 0; b < particles.walls.size(); ++b)
+        check_finite(particles.walls[b], "wall particle ", b, "position");
+    const std::array<Place, 2> domain = scene_domain(scene, particles);
+    for (std::size_t i = 0; i < state.positions.size(); ++i)
+        check_distance(state.positions[i], scene, domain, "particle ", state.ids[i]);
+    for (std::size_t b = 0; b < particles.walls.size(); ++b)
+        check_distance(particles.walls[b], scene, domain, "wall particle ", b);
 }
 
 /// Values in the order of ids.
@@ -87,6 +117,7 @@ public:
         : scene(its_scene), mass(particles.mass), walls(particles.walls),
           now(std::move(its_state)) {
         check_state(now);
+        check_places(now, scene, particles);
         stepper = make_step(scene, particles, threads);
     }
 

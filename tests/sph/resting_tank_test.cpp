@@ -59,8 +59,13 @@ void rest(int dimension, Precision precision, const NamedSolver& solver, bool cl
         }
     });
     double top = 0;
+    std::vector<double> inner, inner_h;
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        const auto p = places_by_id(*simulation)[i];
+        if (p[0] > 0.25 && p[0] < 0.55 && (dimension == 2 || (p[2] > 0.25 && p[2] < 0.55)) && p[1] > 0.25 && p[1] < 0.6) { inner.push_back(sums[i] / frames); inner_h.push_back(heights[i] / frames); }
+    }
     for (std::size_t i = 0; i < sums.size(); ++i) { sums[i] /= frames; heights[i] /= frames; top = std::max(top, heights[i]); }
-    const auto line = pressure_line(heights, sums);
+    const auto line = pressure_line(inner_h, inner);
     const Balance b = simulation->balance();
     printf("%s %dD %s clip %d: steps %d its %.1f unconv %d  KE/(m g dx) %.2e speed %.3e  err mean %.2e max %.2e top %.3f center %.4f  slope/rho g %.4f off %.2f %% of %.0f\n", solver.name, dimension,
         precision == Precision::float32 ? "f" : "d", clip, steps, its / steps, unconv, b.kinetic_energy / (mass * sums.size() * 9.81 * 0.1), b.largest_speed, mean_error / steps, largest_error, top, b.center[1],
@@ -72,7 +77,9 @@ TEST(RestingTank, Explore) {
         for (int dimension : {2, 3})
             for (auto precision : {Precision::float32, Precision::float64})
                 for (bool clip : {true, false})
+                    try {
                 rest(dimension, precision, solver, clip);
+                    } catch (const std::exception& e) { printf("%s %dD clip %d: %s\n", solver.name, dimension, clip, e.what()); }
 }
 
 } // namespace
