@@ -49,14 +49,14 @@ struct SurfaceResults {
 
 /// Sums over the fluid, in double whatever the step calculates in.
 struct Balance {
-    double kinetic_energy = 0;   ///< J
-    double potential_energy = 0; ///< J, of gravity, with the origin at height 0
-    double surface_area = 0;     ///< m^2 (in 2D m), as SurfaceResults has it; 0 without
+    double kinetic_energy = 0;         ///< J
+    double potential_energy = 0;       ///< J, of gravity, with the origin at height 0
+    double surface_area = 0;           ///< m^2 (in 2D m), as SurfaceResults has it; 0 without
     std::size_t surface_particles = 0; ///< of surface class 2
-    Place momentum{};            ///< kg m/s
-    double momentum_size = 0;    ///< sum of |m v|
-    Place center{};              ///< of mass, m
-    double largest_speed = 0;    ///< m/s
+    Place momentum{};                  ///< kg m/s
+    double momentum_size = 0;          ///< sum of |m v|
+    Place center{};                    ///< of mass, m
+    double largest_speed = 0;          ///< m/s
 };
 
 /// All that the next step depends on. Arrays have one entry a particle, in the order that the step

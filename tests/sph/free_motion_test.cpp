@@ -13,8 +13,8 @@ namespace meniscus {
 namespace {
 
 constexpr std::array<TensionModel, 7> all_models = {
-    TensionModel::none,        TensionModel::meniscus,    TensionModel::becker_2007,
-    TensionModel::huber_2015,  TensionModel::akinci_2013, TensionModel::he_2014,
+    TensionModel::none,       TensionModel::meniscus,    TensionModel::becker_2007,
+    TensionModel::huber_2015, TensionModel::akinci_2013, TensionModel::he_2014,
     TensionModel::color_field};
 
 constexpr std::array<Precision, 2> precisions = {Precision::float32, Precision::float64};
@@ -94,9 +94,8 @@ void expect_finite_in_one_place(std::size_t count) {
                     scene.viscosity = {0.01, true, 0.1};
                     scene.time_step.fixed = 0.001;
                     scene.domain = {{{-10, -10, -10}, {10, 10, 10}}};
-                    const auto simulation =
-                        start_at(scene, Positions(count, Place{0.3, 0.2, 0}),
-                                 std::vector<Place>(count, Place{1, 0, 0}));
+                    const auto simulation = start_at(scene, Positions(count, Place{0.3, 0.2, 0}),
+                                                     std::vector<Place>(count, Place{1, 0, 0}));
                     for (int n = 0; n < 10; ++n)
                         simulation->step(1);
                     expect_finite(*simulation);
@@ -118,8 +117,9 @@ TEST(Particles, ThatCannotStartAreRefused) {
     const Scene scene = empty_scene(3, PressureSolverKind::dfsph);
     const double inf = std::numeric_limits<double>::infinity();
     const auto refusal = [&](const Place& place, const Place& velocity) {
-        return error_of<InputError>(
-            [&] { start_at(scene, {{0, 0, 0}, place}, {{0, 0, 0}, velocity}); });
+        return error_of<InputError>([&] {
+            start_at(scene, {{0, 0, 0}, place}, {{0, 0, 0}, velocity});
+        });
     };
     for (const double bad : {std::nan(""), inf, -inf})
         for (int axis = 0; axis < 3; ++axis) {
@@ -130,7 +130,9 @@ TEST(Particles, ThatCannotStartAreRefused) {
         }
     expect_mentions(error_of<InputError>([&] { start_at(scene, {}, {}); }),
                     {"at least one particle"});
-    expect_mentions(error_of<InputError>([&] { start_at(scene, {{0, 0, 0}}, {}); }),
+    expect_mentions(error_of<InputError>([&] {
+                        start_at(scene, {{0, 0, 0}}, {});
+                    }),
                     {"differ in length"});
 }
 
@@ -153,10 +155,8 @@ TEST(Domain, EndsTheRunWhereAParticleLeavesIt) {
     for (const auto& [solver, name] : all_solvers) {
         Scene scene = empty_scene(3, solver);
         scene.domain = {{{-1, -1, -1}, {1, 1, 1}}};
-        const auto simulation =
-            start_at(scene, {{0, 0, 0}, {0, 0, 0.5}}, {{0, 0, 0}, {0, 0, 10}});
-        const std::string message =
-            error_of<Divergence>([&] { run_until(*simulation, 0.2); });
+        const auto simulation = start_at(scene, {{0, 0, 0}, {0, 0, 0.5}}, {{0, 0, 0}, {0, 0, 10}});
+        const std::string message = error_of<Divergence>([&] { run_until(*simulation, 0.2); });
         expect_mentions(message, {"particle 1", "left the domain", "(0, 0, 1"});
         EXPECT_LT(simulation->time(), 0.07);
         expect_mentions(error_of<Divergence>([&] { simulation->step(1); }), {"cannot go on"});

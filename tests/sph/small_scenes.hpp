@@ -1,5 +1,6 @@
-// Small scenes for the tests of whole steps: all have a spacing of 0.1 m and h = 0.2 m unless a test
-// says otherwise, run on one thread, and are moved by a Simulation as `meniscus simulate` does it.
+// Small scenes for the tests of whole steps: all have a spacing of 0.1 m and h = 0.2 m unless a
+// test says otherwise, run on one thread, and are moved by a Simulation as `meniscus simulate` does
+// it.
 #pragma once
 
 #include <meniscus/sph/simulation.hpp>
