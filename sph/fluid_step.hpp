@@ -395,13 +395,14 @@ private:
         }
     }
 
-    /// What a longer step starts from must not move particles farther than the last step did: the
-    /// pressure of an impact would throw them away, once they have come to rest and steps are long
-    /// again.
+    /// What a longer step starts from, half of what is kept, must not move particles farther than
+    /// the last step did: the pressure of an impact would throw them away, once they have come to
+    /// rest and steps are long again.
     void fit_pressures(double last_step, double dt) {
-        if (dt <= last_step)
+        const double ratio = last_step / dt;
+        if (2 * ratio * ratio >= 1)
             return;
-        const auto share = static_cast<Real>(last_step / dt * (last_step / dt));
+        const auto share = static_cast<Real>(2 * ratio * ratio);
         fluid.loop.each(fluid.count, [&](std::size_t i) { solver->pressure[i] *= share; });
     }
 
