@@ -117,6 +117,7 @@ public:
 
         report.time_step = time_step_for(largest_speed(last_step), longest);
         apply_accelerations(static_cast<Real>(report.time_step));
+        fit_pressures(last_step, report.time_step);
         report.seconds.motion = clock.lap();
         const SolveReport pressure = solver->solve(fluid, static_cast<Real>(report.time_step));
         report.seconds.pressure = clock.lap();
@@ -135,7 +136,10 @@ public:
         return report;
     }
 
-    [[nodiscard]] StepResults results() const override {
+    StepResults evaluate(SimulationState& state) override {
+        sort(state);
+        find_neighbors();
+        find_densities(fluid);
         StepResults found;
         const double pressure_unit =
             scene.rest_density * scene.support_radius * scene.support_radius;
@@ -147,8 +151,10 @@ public:
             found.pressure[i] =
                 static_cast<double>(solver->pressure[i]) * density * density * pressure_unit;
         }
-        if (detector || tension)
-            found.surface = (detector ? detector : tension)->results(fluid);
+        if (auto* const model = detector ? detector.get() : tension.get()) {
+            model->add_accelerations(fluid);
+            found.surface = model->results(fluid);
+        }
         return found;
     }
 
@@ -386,6 +392,17 @@ private:
             smooth_velocities(static_cast<Real>(scene.viscosity.xsph), fluid, rows);
             fluid.velocity.swap(rows);
         }
+    }
+
+    /// What a longer step starts from, half of what is kept, must not move particles farther than
+    /// the last step did: the pressure of an impact would throw them away, once they have come to
+    /// rest and steps are long again.
+    void fit_pressures(double last_step, double dt) {
+        const double ratio = last_step / dt;
+        if (2 * ratio * ratio >= 1)
+            return;
+        const auto share = static_cast<Real>(2 * ratio * ratio);
+        fluid.loop.each(fluid.count, [&](std::size_t i) { solver->pressure[i] *= share; });
     }
 
     /// Takes out the approach to a wall that would lead closer to it than half a spacing. Pressure
