@@ -74,37 +74,67 @@ void print_runs(const Folder& scenes) {
     }
 }
 
-/// Front of the column of water with n^2 = 2 and a = 2.25 inches: T = t sqrt(2 g / a), Z = x / a
-/// (Martin and Moyce 1952, figure 3, as read off for PySPH's examples).
-constexpr std::array<std::pair<double, double>, 5> measured_front = {
-    {{0.832, 1.217}, {1.219, 1.474}, {1.997, 2.292}, {2.547, 2.995}, {3.345, 4.134}}};
+using Front = std::vector<std::pair<double, double>>;
+
+// Columns twice as high as wide (a): T = t sqrt(2 g / a), Z = x / a, as read off for PySPH's
+// examples from the papers' figures.
+/// Water, a = 2.25 inches (Martin and Moyce 1952, figure 3).
+const Front& measured_front() {
+    static const Front front = {
+        {0.832, 1.217}, {1.219, 1.474}, {1.997, 2.292}, {2.547, 2.995}, {3.345, 4.134}};
+    return front;
+}
+
+/// Calculated by another particle method, MPS (Koshizuka and Oka 1996).
+const Front& front_by_mps() {
+    static const Front front = {{0.778, 1.351}, {0.958, 1.512}, {1.095, 1.637},
+                                {1.226, 1.771}, {1.858, 2.480}, {2.043, 2.707},
+                                {2.451, 3.251}, {2.604, 3.481}, {2.943, 3.997}};
+    return front;
+}
+
+/// Between the two nearest times; NaN beyond the last.
+double front_at(const Front& front, double time) {
+    for (std::size_t n = 1; n < front.size(); ++n)
+        if (time <= front[n].first) {
+            const auto& [t0, z0] = front[n - 1];
+            const auto& [t1, z1] = front[n];
+            return z0 + (z1 - z0) * (time - t0) / (t1 - t0);
+        }
+    return std::nan("");
+}
+
+/// The farthest particle of the 2D dam break at the measured times.
+std::vector<double> simulated_front(Scene scene) {
+    const double to_seconds = 1 / std::sqrt(2 * 9.81); // a = 1 m
+    scene.duration = measured_front().back().first * to_seconds + 1e-3;
+    std::vector<double> front;
+    run_scene(scene, [&](const Simulation& simulation, const StepReport&) {
+        if (front.size() == measured_front().size() ||
+            simulation.time() < measured_front()[front.size()].first * to_seconds)
+            return;
+        double farthest = 0;
+        for (const Place& place : simulation.state().positions)
+            farthest = std::max(farthest, place[0]);
+        front.push_back(farthest + scene.particle_spacing / 2);
+    });
+    return front;
+}
 
 void print_dam_front(const Folder& scenes) {
-    fmt::print("| T | measured Z | {} particles | off, % | {} particles | off, % |\n"
-               "|---|---|---|---|---|---|\n",
-               1250, 20000);
-    std::vector<std::vector<double>> fronts;
-    for (const char* variant : {"", "paper"}) {
-        Scene scene = read_scene(scenes / "dam_break_2d.json", variant);
-        const double to_time = std::sqrt(1 / (2 * 9.81)); // a = 1 m
-        scene.duration = measured_front.back().first * to_time + 1e-3;
-        std::vector<double> front;
-        run_scene(scene, [&](const Simulation& simulation, const StepReport&) {
-            if (front.size() == measured_front.size() ||
-                simulation.time() < measured_front[front.size()].first * to_time)
-                return;
-            double farthest = 0;
-            for (const Place& place : simulation.state().positions)
-                farthest = std::max(farthest, place[0]);
-            front.push_back(farthest + scene.particle_spacing / 2);
-        });
-        fronts.push_back(front);
-    }
-    for (std::size_t row = 0; row < measured_front.size(); ++row) {
-        fmt::print("| {} | {}", measured_front[row].first, measured_front[row].second);
+    const Scene coarse = read_scene(scenes / "dam_break_2d.json", "");
+    const Scene fine = read_scene(scenes / "dam_break_2d.json", "paper");
+    fmt::print("| T | measured Z | MPS | off, % | {} particles | off, % | {} particles | off, % "
+               "|\n|---|---|---|---|---|---|---|---|\n",
+               fill_scene(coarse).positions.size(), fill_scene(fine).positions.size());
+    const std::array<std::vector<double>, 2> fronts = {simulated_front(coarse),
+                                                       simulated_front(fine)};
+    for (std::size_t row = 0; row + 1 < measured_front().size(); ++row) { // then comes the wall
+        const auto& [time, measured] = measured_front()[row];
+        const double mps = front_at(front_by_mps(), time);
+        fmt::print("| {} | {} | {:.3f} | {:+.1f}", time, measured, mps, 100 * (mps / measured - 1));
         for (const auto& front : fronts)
-            fmt::print(" | {:.3f} | {:+.1f}", front.at(row),
-                       100 * (front.at(row) / measured_front[row].second - 1));
+            fmt::print(" | {:.3f} | {:+.1f}", front.at(row), 100 * (front.at(row) / measured - 1));
         fmt::print(" |\n");
     }
 }

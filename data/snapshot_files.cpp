@@ -5,17 +5,14 @@
 #include "errors.hpp"
 #include "hdf5_files.hpp"
 #include "legacy_vtk.hpp"
-
-#include <openssl/evp.h>
+#include "sha256.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <fcntl.h>
 #include <fstream>
-#include <memory>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -201,29 +198,16 @@ std::string read_whole(const fs::path& file, std::size_t most) {
 
 std::string file_hash(const fs::path& file) {
     std::ifstream stream = open_for_reading(file);
-    const std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context(EVP_MD_CTX_new(),
-                                                                          EVP_MD_CTX_free);
-    bool fine = context && EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr) == 1;
+    Sha256 sum;
     std::vector<char> block(1 << 20);
-    while (fine && stream) {
+    while (stream) {
         stream.read(block.data(), static_cast<std::streamsize>(block.size()));
-        const auto count = static_cast<std::size_t>(stream.gcount());
-        fine = EVP_DigestUpdate(context.get(), block.data(), count) == 1;
+        sum.add(block.data(), static_cast<std::size_t>(stream.gcount()));
     }
     if (stream.bad()) {
         throw InputError(file.string() + ": cannot be read: " + errno_text());
     }
-    std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-    unsigned int length = 0;
-    if (!fine || EVP_DigestFinal_ex(context.get(), digest.data(), &length) != 1) {
-        throw FailureError(file.string() + ": its SHA-256 could not be computed by OpenSSL");
-    }
-    std::string text;
-    for (unsigned int i = 0; i < length; ++i) {
-        text += "0123456789abcdef"[digest[i] >> 4];
-        text += "0123456789abcdef"[digest[i] & 15];
-    }
-    return text;
+    return sum.text();
 }
 
 void check_can_be_written(const fs::path& file) {

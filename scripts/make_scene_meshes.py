@@ -39,15 +39,13 @@ def hyperbolic_paraboloid(steepness=0.3, top=1.3, cells=12):
     return vertices, faces
 
 
-def glass(parts=32):
-    """A tumbler of revolution with a thick wall; radius and height of its outline."""
-    outline = [(0.8, 0), (1.1, 2.4), (0.95, 2.4), (0.66, 0.2)]
+def glass(parts=32, base=0.8, rim=1.06, height=2.22):
+    """A tumbler of revolution with a thin wall."""
     angles = [2 * math.pi * k / parts for k in range(parts)]
-    vertices = [(r * math.cos(a), y, r * math.sin(a)) for r, y in outline for a in angles]
-    faces = [tuple(range(parts)), tuple(range(3 * parts, 4 * parts))]
-    faces += [(ring * parts + k, ring * parts + (k + 1) % parts,
-               (ring + 1) * parts + (k + 1) % parts, (ring + 1) * parts + k)
-              for ring in range(3) for k in range(parts)]
+    vertices = [(r * math.cos(a), y, r * math.sin(a))
+                for r, y in ((base, 0), (rim, height)) for a in angles]
+    faces = [tuple(range(parts))]
+    faces += [(k, (k + 1) % parts, parts + (k + 1) % parts, parts + k) for k in range(parts)]
     return vertices, faces
 
 

@@ -4,7 +4,7 @@
 # idle machine, sampling and normals Debian's python3-matplotlib.
 # Usage: scripts/update_docs.sh [TABLES]   (default: all)
 # TABLES: accuracy, own-scenes (runs scenes for some ten minutes), speed, sampling, force,
-# surface-speed, normals, curvature or scenes
+# surface-speed, normals, curvature, scenes, simulation or step-speed
 set -euo pipefail
 cd "$(dirname "$0")/.."
 bin=build/release/bin
@@ -99,4 +99,14 @@ if wanted curvature; then
 fi
 if wanted scenes; then
     "$bin/scene_table" configs/scenes/*.json | replace docs/scenes.md scenes
+fi
+if wanted simulation; then
+    for table in runs dam_front iterations; do
+        "$bin/solver_runs" "$table" configs/scenes | replace docs/simulation.md "${table//_/-}"
+    done
+fi
+if wanted step-speed; then
+    for table in stages scaling; do
+        "$bin/step_speed" "$table" configs/scenes | replace docs/simulation.md "$table"
+    done
 fi

@@ -117,6 +117,7 @@ public:
 
         report.time_step = time_step_for(largest_speed(last_step), longest);
         apply_accelerations(static_cast<Real>(report.time_step));
+        fit_pressures(last_step, report.time_step);
         report.seconds.motion = clock.lap();
         const SolveReport pressure = solver->solve(fluid, static_cast<Real>(report.time_step));
         report.seconds.pressure = clock.lap();
@@ -135,7 +136,10 @@ public:
         return report;
     }
 
-    [[nodiscard]] StepResults results() const override {
+    StepResults evaluate(SimulationState& state) override {
+        sort(state);
+        find_neighbors();
+        find_densities(fluid);
         StepResults found;
         const double pressure_unit =
             scene.rest_density * scene.support_radius * scene.support_radius;
@@ -147,8 +151,10 @@ public:
             found.pressure[i] =
                 static_cast<double>(solver->pressure[i]) * density * density * pressure_unit;
         }
-        if (detector || tension)
-            found.surface = (detector ? detector : tension)->results(fluid);
+        if (auto* const model = detector ? detector.get() : tension.get()) {
+            model->add_accelerations(fluid);
+            found.surface = model->results(fluid);
+        }
         return found;
     }
 
@@ -215,7 +221,7 @@ private:
                                              [&](const NeighborLanes<Real, Dimension>& lanes) {
                                                  sum += kernel.value(lanes.distance_squared);
                                              });
-                rows[b].w = flat * std::min(Real(1), flat_sum / sum_of_lanes<Real>(sum));
+                rows[b].w = flat * flat_sum / sum_of_lanes<Real>(sum);
             });
         });
         for (std::size_t b = 0; b < walls.size(); ++b)
@@ -225,8 +231,7 @@ private:
     /// The volume of a particle in a flat wall. One layer stands for all that the kernel would find
     /// behind it: with this volume particles on a lattice one spacing off the wall have the density
     /// that they have inside. For the cubic spline at two spacings it is 0.70 / sum_k W_bk, the
-    /// factor in use for it. In corners of a tank the sum is smaller, but nothing more is missing:
-    /// no particle gets a larger volume.
+    /// factor in use for it.
     template <class Kernel>
     [[nodiscard]] Real flat_wall_volume(const Kernel& kernel) const {
         const double spacing = scene.particle_spacing / scene.support_radius;
@@ -387,6 +392,17 @@ private:
             smooth_velocities(static_cast<Real>(scene.viscosity.xsph), fluid, rows);
             fluid.velocity.swap(rows);
         }
+    }
+
+    /// What a longer step starts from, half of what is kept, must not move particles farther than
+    /// the last step did: the pressure of an impact would throw them away, once they have come to
+    /// rest and steps are long again.
+    void fit_pressures(double last_step, double dt) {
+        const double ratio = last_step / dt;
+        if (2 * ratio * ratio >= 1)
+            return;
+        const auto share = static_cast<Real>(2 * ratio * ratio);
+        fluid.loop.each(fluid.count, [&](std::size_t i) { solver->pressure[i] *= share; });
     }
 
     /// Takes out the approach to a wall that would lead closer to it than half a spacing. Pressure

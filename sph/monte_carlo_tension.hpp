@@ -4,6 +4,7 @@
 
 #include "tension_model.hpp"
 
+#include <meniscus/runtime/relative_surface_coefficients.hpp>
 #include <meniscus/runtime/surface_tension.hpp>
 
 namespace meniscus {
@@ -50,33 +51,37 @@ SurfaceTensionOptions tension_settings(const TensionOptions& options, const Step
     return settings;
 }
 
-/// Candidates by the classifier's line, from the step's lists.
+/// The classifier's features, from the step's lists.
 template <class Real, int Dimension>
-void find_candidates_in_lanes(const Fluid<Real, Dimension>& fluid, const SurfaceLine<Real>& line,
-                              double radius_ratio, std::vector<std::uint8_t>& candidate) {
+void sum_features_in_lanes(const Fluid<Real, Dimension>& fluid, double radius_ratio,
+                           std::vector<FeatureSum<Real, Dimension>>& sums) {
     const auto range = neighbor_range<Real>(1, radius_ratio);
-    candidate.resize(fluid.count);
+    sums.resize(fluid.count);
     fluid.loop.each(fluid.count, [&](std::size_t i) {
         VectorSum<Real, Dimension> moment;
         Lanes<Real> count{};
         const Lanes<Real> zero{};
         visit_neighbors(fluid, i, [&](const NeighborLanes<Real, Dimension>& lanes) {
-            const Lanes<Real> counts =
-                lanes.distance_squared > range.inner_squared
-                    ? (lanes.distance_squared < range.outer_squared ? zero + Real(1) : zero)
-                    : zero;
+            const Lanes<Real> near =
+                lanes.distance_squared < range.outer_squared ? zero + Real(1) : zero;
+            const Lanes<Real> counts = lanes.distance_squared > range.inner_squared ? near : zero;
             count += counts;
             moment.add(counts, lanes.step);
         });
-        FeatureSum<Real, Dimension> sum;
-        sum.count = static_cast<int>(sum_of_lanes<Real>(count));
         const Row<Real> total = moment.total();
+        FeatureSum<Real, Dimension>& sum = sums[i];
+        sum.count = static_cast<int>(sum_of_lanes<Real>(count));
         sum.moment[0] = total.x;
         sum.moment[1] = total.y;
         if constexpr (Dimension == 3)
             sum.moment[Dimension - 1] = total.z;
-        candidate[i] = is_surface(sum, line, Real(1)) ? 1 : 0;
     });
+}
+
+/// The neighbors of a particle inside a fluid at rest.
+template <int Dimension>
+double rest_neighbor_count(double mass) {
+    return (Dimension == 3 ? 4 * circle_ratio / 3 : circle_ratio) / mass - 1;
 }
 
 template <class Real, int Dimension>
@@ -128,13 +133,38 @@ public:
 
 private:
     SurfaceTension<Real, Dimension> tension;
+    std::vector<FeatureSum<Real, Dimension>> sums;
+    std::vector<int> counts;
     std::vector<std::uint8_t> candidate;
 
-    void find_surface_forces(FluidType& fluid) {
+    /// The scene's own line; else the relative one that ships, for the median of the neighbor
+    /// counts: nothing else fits both a fluid with 30 neighbors and one with 40. Where most
+    /// particles are at the surface the median says little, and the line stays that of a fluid
+    /// near its rest.
+    [[nodiscard]] SurfaceLine<Real> line_for(const FluidType& fluid) {
+        using Relative = RelativeSurfaceCoefficients;
         const auto& settings = tension.options();
-        find_candidates_in_lanes(
-            fluid, SurfaceLine<Real>{static_cast<Real>(settings.k), static_cast<Real>(settings.d)},
-            settings.exposure.radius_ratio, candidate);
+        if (this->options.k || Dimension != Relative::dimension)
+            return {static_cast<Real>(settings.k), static_cast<Real>(settings.d)};
+        constexpr double near_rest = 0.85;
+        counts.resize(fluid.count);
+        fluid.loop.each(fluid.count, [&](std::size_t i) { counts[i] = sums[i].count; });
+        const double median = median_neighbor_count(counts.data(), counts.size());
+        return surface_line<Relative, Real>(std::max(
+            median, near_rest * rest_neighbor_count<Dimension>(static_cast<double>(fluid.mass))));
+    }
+
+    void find_candidates(const FluidType& fluid) {
+        sum_features_in_lanes(fluid, tension.options().exposure.radius_ratio, sums);
+        const SurfaceLine<Real> line = line_for(fluid);
+        candidate.resize(fluid.count);
+        fluid.loop.each(fluid.count, [&](std::size_t i) {
+            candidate[i] = is_surface(sums[i], line, Real(1)) ? 1 : 0;
+        });
+    }
+
+    void find_surface_forces(FluidType& fluid) {
+        find_candidates(fluid);
         const LaneListView<Real, Dimension> view{fluid.place.data(), fluid.place.data(),
                                                  &fluid.neighbors};
         if (fluid.wall_place.size() > 1) {

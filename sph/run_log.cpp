@@ -42,7 +42,7 @@ std::vector<Column> columns(std::uint64_t frame, double time, const StepSums& su
             {"center_y", number_text(balance.center[1])},
             {"center_z", number_text(balance.center[2])},
             {"largest_speed", number_text(balance.largest_speed)},
-            {"surface_particles", std::to_string(sums.surface_particles)}};
+            {"surface_particles", std::to_string(balance.surface_particles)}};
 }
 
 template <class TextOf>
@@ -65,7 +65,6 @@ void StepSums::add(const StepReport& report) {
     largest_density_error = std::max(largest_density_error, report.density_error);
     divergence_error += report.divergence_error;
     largest_divergence_error = std::max(largest_divergence_error, report.divergence_error);
-    surface_particles = report.surface_particles;
 }
 
 std::string log_header() {

@@ -21,7 +21,6 @@ struct StepSums {
     double largest_density_error = 0;
     double divergence_error = 0;
     double largest_divergence_error = 0;
-    std::uint64_t surface_particles = 0; ///< in the last step
 
     void add(const StepReport& report);
 };

@@ -14,7 +14,10 @@ namespace {
 
 constexpr double most_particles = 5e8;
 constexpr double least_distance = 0.1; // of two fluid particles, over the spacing
-constexpr double rounding = 1e-6;      // of lengths that should be whole spacings
+// Between irregular samples of a wall are holes of up to their spacing, through which a fluid would
+// be pressed if that were the particles'.
+constexpr double irregular_share = 0.7;
+constexpr double rounding = 1e-6; // of lengths that should be whole spacings
 
 /// The places first + spacing (i, j, k) below `count` that `holds` is true for.
 template <class Holds>
@@ -179,7 +182,8 @@ Positions wall_places(const BoxShape& shape, const Scene& scene) {
 }
 
 Positions wall_places(const SphereShape& shape, const Scene& scene) {
-    return sample_ellipsoid(shape.center, shape.half_axes, scene.particle_spacing, scene.dimension);
+    return sample_ellipsoid(shape.center, shape.half_axes, irregular_share * scene.particle_spacing,
+                            scene.dimension);
 }
 
 Positions wall_places(const MeshShape& shape, const Scene& scene) {
@@ -187,7 +191,8 @@ Positions wall_places(const MeshShape& shape, const Scene& scene) {
     for (Place& vertex : mesh.vertices)
         for (int axis = 0; axis < 3; ++axis)
             vertex[axis] = shape.scale * vertex[axis] + shape.translation[axis];
-    return naming_file(shape.file, [&] { return sample_mesh(mesh, scene.particle_spacing); });
+    return naming_file(shape.file,
+                       [&] { return sample_mesh(mesh, irregular_share * scene.particle_spacing); });
 }
 
 /// Calls `work()`; an InputError from it gets the scene and the entry in front.

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 namespace meniscus {
 namespace {
@@ -32,6 +33,13 @@ SimulationState first_state(const Scene& scene, const SceneParticles& particles)
     return state;
 }
 
+void check_finite(const Place& vector, const char* whose, std::size_t number, const char* what) {
+    for (const double coordinate : vector)
+        if (!std::isfinite(coordinate))
+            throw InputError(whose + std::to_string(number) + " has a " + what +
+                             " that is not finite");
+}
+
 void check_state(const SimulationState& state) {
     const std::size_t count = state.positions.size();
     if (count >= std::numeric_limits<std::uint32_t>::max() - 8)
@@ -39,18 +47,48 @@ void check_state(const SimulationState& state) {
     if (state.ids.size() != count || state.velocities.size() != count ||
         state.pressures.size() != count || state.divergences.size() != count)
         throw InputError("the arrays of the state to start from differ in length");
+    if (count == 0)
+        throw InputError("a simulation needs at least one particle, found none");
+    if (!std::isfinite(state.time) || !std::isfinite(state.time_step) || state.time_step < 0)
+        throw InputError("the time of the state to start from is not a number of seconds");
     std::vector<std::uint8_t> seen(count, 0);
     for (std::size_t i = 0; i < count; ++i) {
         if (state.ids[i] >= count || seen[state.ids[i]]++ != 0)
             throw InputError("particle " + std::to_string(i) + " has the id " +
                              std::to_string(state.ids[i]) +
                              ", expected each number below the number of particles once");
-        for (int axis = 0; axis < 3; ++axis)
-            if (!std::isfinite(state.positions[i][axis]) ||
-                !std::isfinite(state.velocities[i][axis]))
-                throw InputError("particle " + std::to_string(state.ids[i]) +
-                                 " has a position or velocity that is not finite");
+        check_finite(state.positions[i], "particle ", state.ids[i], "position");
+        check_finite(state.velocities[i], "particle ", state.ids[i], "velocity");
+        if (!std::isfinite(state.pressures[i]) || !std::isfinite(state.divergences[i]))
+            throw InputError("particle " + std::to_string(state.ids[i]) +
+                             " has a solver's pressure that is not finite");
     }
+}
+
+/// Throws InputError for a place so far out that single precision would tell it from its neighbors
+/// no more. `what` and `number` name its particle.
+void check_distance(const Place& place, const Scene& scene, const std::array<Place, 2>& domain,
+                    const char* what, std::size_t number) {
+    constexpr double farthest = 1e6; // support radii
+    for (int axis = 0; axis < scene.dimension; ++axis) {
+        const double middle = domain[0][axis] / 2 + domain[1][axis] / 2;
+        if (std::abs(place[axis] - middle) > farthest * scene.support_radius)
+            throw InputError(what + std::to_string(number) + " is at " + "xyz"[axis] + " = " +
+                             number_text(place[axis]) + " m, more than " + number_text(farthest) +
+                             " support radii from the middle of the domain; what belongs to one "
+                             "fluid lies closer together");
+    }
+}
+
+void check_places(const SimulationState& state, const Scene& scene,
+                  const SceneParticles& particles) {
+    for (std::size_t b = 0; b < particles.walls.size(); ++b)
+        check_finite(particles.walls[b], "wall particle ", b, "position");
+    const std::array<Place, 2> domain = scene_domain(scene, particles);
+    for (std::size_t i = 0; i < state.positions.size(); ++i)
+        check_distance(state.positions[i], scene, domain, "particle ", state.ids[i]);
+    for (std::size_t b = 0; b < particles.walls.size(); ++b)
+        check_distance(particles.walls[b], scene, domain, "wall particle ", b);
 }
 
 /// Values in the order of ids.
@@ -79,13 +117,17 @@ public:
         : scene(its_scene), mass(particles.mass), walls(particles.walls),
           now(std::move(its_state)) {
         check_state(now);
+        check_places(now, scene, particles);
         stepper = make_step(scene, particles, threads);
     }
 
     StepReport step(double longest) override {
-        has_results = false;
+        if (diverged)
+            throw Divergence("the simulation diverged in an earlier step and cannot go on");
+        found.reset();
+        diverged = true;
         const StepReport report = stepper->advance(now, longest);
-        has_results = true;
+        diverged = false;
         return report;
     }
 
@@ -108,8 +150,12 @@ public:
                 sums.center[axis] += place[axis] / static_cast<double>(size());
             }
         }
-        if (has_results && scene.surface_tension.model != TensionModel::none)
-            sums.surface_area = stepper->results().surface.area;
+        if (knows_surface() && !diverged) {
+            const SurfaceResults& surface = results().surface;
+            sums.surface_area = surface.area;
+            sums.surface_particles = static_cast<std::size_t>(
+                std::count(surface.surface_class.begin(), surface.surface_class.end(), 2));
+        }
         return sums;
     }
 
@@ -128,7 +174,7 @@ public:
         set_array(frame, {"id", 1, ids});
         set_array(frame, {"velocity", 3, flat<float>(by_id(now.ids, now.velocities))});
         set_array(frame, {"mass", 1, std::vector<float>(size(), static_cast<float>(mass))});
-        if (has_results)
+        if (!diverged)
             add_results(frame);
         return frame;
     }
@@ -139,21 +185,43 @@ private:
     Positions walls;
     SimulationState now;
     std::unique_ptr<Step> stepper;
-    bool has_results = false; ///< of the last step, for the particles as they are sorted now
+    bool diverged = false;
+    mutable std::optional<StepResults> found; ///< of the state as it is, once it was looked at
+
+    [[nodiscard]] bool knows_surface() const {
+        return scene.surface_tension.model == TensionModel::meniscus ||
+               scene.surface_tension.restrict_to_surface;
+    }
+
+    /// In the order of ids.
+    [[nodiscard]] const StepResults& results() const {
+        if (!found) {
+            SimulationState sorted = now; // a checkpoint must not tell who looked
+            found = stepper->evaluate(sorted);
+            found->density = by_id(sorted.ids, found->density);
+            found->pressure = by_id(sorted.ids, found->pressure);
+            SurfaceResults& surface = found->surface;
+            if (knows_surface()) {
+                surface.surface_class = by_id(sorted.ids, surface.surface_class);
+                surface.curvature = by_id(sorted.ids, surface.curvature);
+                surface.normal = by_id(sorted.ids, surface.normal);
+            }
+        }
+        return *found;
+    }
 
     void add_results(Snapshot& frame) const {
-        const StepResults found = stepper->results();
         const auto add = [&](const char* name, const std::vector<double>& values) {
-            const auto sorted = by_id(now.ids, values);
-            set_array(frame, {name, 1, std::vector<float>(sorted.begin(), sorted.end())});
+            set_array(frame, {name, 1, std::vector<float>(values.begin(), values.end())});
         };
-        add("density", found.density);
-        add("pressure", found.pressure);
-        if (found.surface.surface_class.empty())
+        add("density", results().density);
+        add("pressure", results().pressure);
+        if (!knows_surface())
             return;
-        set_array(frame, {"surface_class", 1, by_id(now.ids, found.surface.surface_class)});
-        add("mean_curvature", found.surface.curvature);
-        set_array(frame, {"normal", 3, flat<float>(by_id(now.ids, found.surface.normal))});
+        const SurfaceResults& surface = results().surface;
+        set_array(frame, {"surface_class", 1, surface.surface_class});
+        add("mean_curvature", surface.curvature);
+        set_array(frame, {"normal", 3, flat<float>(surface.normal)});
     }
 };
 

@@ -9,10 +9,10 @@
 
 namespace meniscus {
 
-/// What a step left of each particle, beside the state; in the order of the state before it.
+/// What there is to know of each particle beside the state, in the state's order.
 struct StepResults {
-    std::vector<double> density;  ///< where the step began, kg/m^3 (in 2D kg/m^2)
-    std::vector<double> pressure; ///< Pa (in 2D N/m)
+    std::vector<double> density;  ///< kg/m^3 (in 2D kg/m^2)
+    std::vector<double> pressure; ///< of the last solve, Pa (in 2D N/m); 0 before the first
     SurfaceResults surface;
 };
 
@@ -24,8 +24,9 @@ public:
     /// at most `longest` (s). Throws Divergence.
     virtual StepReport advance(SimulationState& state, double longest) = 0;
 
-    /// Of the last step; made when asked for.
-    [[nodiscard]] virtual StepResults results() const = 0;
+    /// Sorts the state's particles by cell, as advance() does, and looks at them without moving
+    /// them. Steps that follow are not affected.
+    virtual StepResults evaluate(SimulationState& state) = 0;
 };
 
 /// Throws Divergence for the particle of that id that left the domain or the numbers, or, where no

@@ -31,7 +31,7 @@ const std::map<std::string, std::map<std::string, std::size_t>> fluid_counts{
     {"fluid_over_sphere", {{"", 5120}, {"paper", 40960}}},
     {"hyperbolic_paraboloid", {{"", 3872}, {"paper", 34425}}},
     {"resting_tank", {{"", 2560}, {"paper", 20480}}},
-    {"water_glass", {{"", 4620}, {"paper", 399900}}}};
+    {"water_glass", {{"", 4608}, {"paper", 399900}}}};
 
 std::vector<std::filesystem::path> scene_files() {
     std::vector<std::filesystem::path> files;
