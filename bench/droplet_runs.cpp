@@ -1,7 +1,5 @@
 #include "droplet_runs.hpp"
 
-#include <meniscus/data/errors.hpp>
-
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -151,9 +149,8 @@ Oscillation watch_oscillation(const Scene& scene) {
             before = moment;
         },
         1);
-    if (!run.failure.empty())
-        throw FailureError("the oscillating droplet: " + run.failure);
     Oscillation found;
+    found.failure = run.failure;
     found.particles = particles.positions.size();
     found.theory = lamb_period(scene, volume_radius(scene, particles));
     // Over an even number of zeros, so that a droplet that comes to rest a little off a ball counts

@@ -36,11 +36,12 @@ Scene stretched_droplet(int dimension, int resolution);
 
 struct Oscillation {
     std::size_t particles = 0;
-    double theory = 0; ///< period of a slightly stretched droplet without viscosity (Lamb), s
-    double period = 0; ///< from the zeros of the quadrupole moment, s; 0: fewer than three
+    double theory = 0;   ///< period of a slightly stretched droplet without viscosity (Lamb), s
+    double period = 0;   ///< from the zeros of the quadrupole moment, s; 0: fewer than three
+    std::string failure; ///< why it ended early; empty: it did not
 };
 
-/// Runs a droplet that is stretched in x. On one thread. Throws FailureError where it diverges.
+/// Runs a droplet that is stretched in x. On one thread.
 Oscillation watch_oscillation(const Scene& scene);
 
 } // namespace meniscus
