@@ -4,8 +4,9 @@
 
 #include "tension_model.hpp"
 
-#include <meniscus/runtime/relative_surface_coefficients.hpp>
 #include <meniscus/runtime/surface_tension.hpp>
+#include <meniscus/runtime/wide_surface_coefficients.hpp>
+#include <meniscus/runtime/wide_surface_coefficients_2d.hpp>
 
 namespace meniscus {
 inline namespace MENISCUS_INSTRUCTION_SET {
@@ -33,11 +34,24 @@ struct LaneListView {
     }
 };
 
+/// The line that ships for the dimension and the support radius: those trained on h = 2 spacings
+/// miss particles at 2.5, those trained there let most of a fluid with h = 2 spacings through.
+template <int Dimension>
+SurfaceLine<double> line_for_spacing(double spacing) {
+    constexpr double widest = 1 / 2.25;
+    if (spacing > widest)
+        return shipped_surface_line(Dimension);
+    return Dimension == 3 ? surface_line<WideSurfaceCoefficients, double>()
+                          : surface_line<WideSurfaceCoefficients2D, double>();
+}
+
 /// The options of the runtime that a scene asks for; sigma in the units of a step.
 template <int Dimension>
 SurfaceTensionOptions tension_settings(const TensionOptions& options, const StepUnits& units,
                                        double spacing) {
-    SurfaceTensionOptions settings = options.paper ? paper_options() : shipped_options<Dimension>();
+    SurfaceTensionOptions settings =
+        options.paper ? paper_options<Dimension>() : shipped_options<Dimension>();
+    set_line(settings, line_for_spacing<Dimension>(spacing));
     settings.samples = static_cast<std::size_t>(options.samples);
     if (options.k)
         settings.k = *options.k;
@@ -53,12 +67,12 @@ SurfaceTensionOptions tension_settings(const TensionOptions& options, const Step
     return settings;
 }
 
-/// The classifier's features, from the step's lists.
+/// Candidates by the classifier's line, from the step's lists.
 template <class Real, int Dimension>
-void sum_features_in_lanes(const Fluid<Real, Dimension>& fluid, double radius_ratio,
-                           std::vector<FeatureSum<Real, Dimension>>& sums) {
+void find_candidates_in_lanes(const Fluid<Real, Dimension>& fluid, const SurfaceLine<Real>& line,
+                              double radius_ratio, std::vector<std::uint8_t>& candidate) {
     const auto range = neighbor_range<Real>(1, radius_ratio);
-    sums.resize(fluid.count);
+    candidate.resize(fluid.count);
     fluid.loop.each(fluid.count, [&](std::size_t i) {
         VectorSum<Real, Dimension> moment;
         Lanes<Real> count{};
@@ -71,19 +85,14 @@ void sum_features_in_lanes(const Fluid<Real, Dimension>& fluid, double radius_ra
             moment.add(counts, lanes.step);
         });
         const Row<Real> total = moment.total();
-        FeatureSum<Real, Dimension>& sum = sums[i];
+        FeatureSum<Real, Dimension> sum;
         sum.count = static_cast<int>(sum_of_lanes<Real>(count));
         sum.moment[0] = total.x;
         sum.moment[1] = total.y;
         if constexpr (Dimension == 3)
             sum.moment[Dimension - 1] = total.z;
+        candidate[i] = is_surface(sum, line, Real(1)) ? 1 : 0;
     });
-}
-
-/// The neighbors of a particle inside a fluid at rest.
-template <int Dimension>
-double rest_neighbor_count(double mass) {
-    return (Dimension == 3 ? 4 * circle_ratio / 3 : circle_ratio) / mass - 1;
 }
 
 template <class Real, int Dimension>
@@ -135,38 +144,13 @@ public:
 
 private:
     SurfaceTension<Real, Dimension> tension;
-    std::vector<FeatureSum<Real, Dimension>> sums;
-    std::vector<int> counts;
     std::vector<std::uint8_t> candidate;
 
-    /// The scene's own line; else the relative one that ships, for the median of the neighbor
-    /// counts: nothing else fits both a fluid with 30 neighbors and one with 40. Where most
-    /// particles are at the surface the median says little, and the line stays that of a fluid
-    /// near its rest.
-    [[nodiscard]] SurfaceLine<Real> line_for(const FluidType& fluid) {
-        using Relative = RelativeSurfaceCoefficients;
-        const auto& settings = tension.options();
-        if (this->options.k || Dimension != Relative::dimension)
-            return {static_cast<Real>(settings.k), static_cast<Real>(settings.d)};
-        constexpr double near_rest = 0.85;
-        counts.resize(fluid.count);
-        fluid.loop.each(fluid.count, [&](std::size_t i) { counts[i] = sums[i].count; });
-        const double median = median_neighbor_count(counts.data(), counts.size());
-        return surface_line<Relative, Real>(std::max(
-            median, near_rest * rest_neighbor_count<Dimension>(static_cast<double>(fluid.mass))));
-    }
-
-    void find_candidates(const FluidType& fluid) {
-        sum_features_in_lanes(fluid, tension.options().exposure.radius_ratio, sums);
-        const SurfaceLine<Real> line = line_for(fluid);
-        candidate.resize(fluid.count);
-        fluid.loop.each(fluid.count, [&](std::size_t i) {
-            candidate[i] = is_surface(sums[i], line, Real(1)) ? 1 : 0;
-        });
-    }
-
     void find_surface_forces(FluidType& fluid) {
-        find_candidates(fluid);
+        const auto& settings = tension.options();
+        find_candidates_in_lanes(
+            fluid, SurfaceLine<Real>{static_cast<Real>(settings.k), static_cast<Real>(settings.d)},
+            settings.exposure.radius_ratio, candidate);
         const LaneListView<Real, Dimension> view{fluid.place.data(), fluid.place.data(),
                                                  &fluid.neighbors};
         if (fluid.wall_place.size() > 1) {
