@@ -1,0 +1,42 @@
+// Longer runs of droplets: that they come to the shape and the rest that they should.
+#include "droplet_runs.hpp"
+
+#include <gtest/gtest.h>
+
+namespace meniscus {
+namespace {
+
+const std::filesystem::path scenes = MENISCUS_SCENES;
+
+TEST(DropletValidation, CubeBecomesABall) {
+    for (const char* radius : {"0.1", "0.125"}) {
+        const Scene scene = read_scene(scenes / "drop_formation.json", "",
+                                       {std::string("support_radius=") + radius});
+        const DropletRun run = run_droplet(scene);
+        EXPECT_EQ(run.summary.failure, "") << radius;
+        EXPECT_LT(run.deviation, 0.01) << radius;
+        EXPECT_LT(run.speed, 0.03 * run.capillary_speed) << radius;
+        EXPECT_TRUE(run.equilibrium) << radius;
+    }
+}
+
+TEST(DropletValidation, TwoCubesBecomeABall) {
+    const Scene scene = read_scene(scenes / "double_droplet.json", "", {"duration=4"});
+    const DropletRun run = run_droplet(scene);
+    EXPECT_EQ(run.summary.failure, "");
+    EXPECT_LT(run.deviation, 0.02);
+    EXPECT_LT(run.aspect_ratio, 1.03);
+}
+
+TEST(DropletValidation, OscillatesWithLambsPeriodUnderEachSolver) {
+    for (const auto solver : {PressureSolverKind::wcsph, PressureSolverKind::pcisph,
+                              PressureSolverKind::iisph, PressureSolverKind::dfsph}) {
+        Scene scene = stretched_droplet(3, 10);
+        scene.pressure.solver = solver;
+        const Oscillation found = watch_oscillation(scene);
+        EXPECT_NEAR(found.period / found.theory, 1, 0.1) << static_cast<int>(solver);
+    }
+}
+
+} // namespace
+} // namespace meniscus
