@@ -2,7 +2,7 @@
 // mass offset x and the neighbor count y. Written by `meniscus export`; do not edit.
 //
 // Trained by neyman-pearson; neighbors: same phase only; boundary particles do not count.
-// On its training files it has 0 false negatives and 121870 false positives:
+// On its training files it has 0 false negatives and 123730 false positives:
 //   boxhole_dfsph_04.vtkhdf, scene SurfaceTension_BoxHole_ZR2020: 11616 particles, 2545 surface
 //     sha256 88dad6a2af49e72ca7b4a6ab92831d6a66efd884485edfe3322910c674875a81
 //   boxhole_dfsph_18.vtkhdf, scene SurfaceTension_BoxHole_ZR2020: 11616 particles, 3210 surface
@@ -32,114 +32,114 @@
 //   snake_dfsph_05.vtkhdf, scene SurfaceTension_SnakeTestZR2020: 6076 particles, 3026 surface
 //     sha256 e32353f47ae34a2b368ffc384421b35e3c9cd44bfe8e1ab5bbf7e037c39b0279
 //   crown_dfsph_0000.vtkhdf, scene crown_splash: 7751 particles, 755 surface
-//     sha256 207a1b6efabd01495caf67ed9c9aa66003d9016e550f240cfdc48ab3906d1550
+//     sha256 44d1a93bf483d2bc1c9d40688041af439fbece080cefbaed222979d2682fa7d5
 //   crown_dfsph_0001.vtkhdf, scene crown_splash: 7751 particles, 694 surface
-//     sha256 33b1a7dfc02d687524b82f61be49ee0de33cc58804b76359b8798276025ad9c3
+//     sha256 3330ec23d91cf42fd9f8489e2cb42161b5df95354fce4612c67a1b8065a47e33
 //   crown_dfsph_0002.vtkhdf, scene crown_splash: 7751 particles, 777 surface
-//     sha256 f089a1b26c4a935c942c11bb08b074c54a0ce2ea23d2bda15592676bbe353996
-//   crown_dfsph_0003.vtkhdf, scene crown_splash: 7751 particles, 687 surface
-//     sha256 d6eae2ca37df45b657cd73c8080f006e87a9d0a0eb90c3d477815a703f0c4836
+//     sha256 ffa4581154f038b351dd38987a643c1618b355a7254170191308c0f08c51794d
+//   crown_dfsph_0003.vtkhdf, scene crown_splash: 7751 particles, 685 surface
+//     sha256 e9bf9a073cf15b2fe18e6f854bc0e8220527e49bd85b087b6966ff865cacae0f
 //   crown_dfsph_0004.vtkhdf, scene crown_splash: 7751 particles, 795 surface
-//     sha256 04b1a601dc4cf8bc7dfe334e1b33bc51d1254f14c35b0d8e1c4e23ace103b4c9
+//     sha256 9b0f21cfbd4775fe5e513b33f6d08741bf85ebd30cae71e2a8c1e1f374ade806
 //   crown_iisph_0000.vtkhdf, scene crown_splash: 7751 particles, 755 surface
-//     sha256 99a0e5777acf87ff7ed707c5ecc0929237db72d5246d894913311985a2d8ffad
+//     sha256 7607c3847b31cd90887851a533d245586f353c912e62dfe10a1d1af622b533aa
 //   crown_iisph_0001.vtkhdf, scene crown_splash: 7751 particles, 598 surface
-//     sha256 a9ffaf57f0698d1deef22759a024eaa32f43dcf1a05e08586e4b30d1bc72e14b
-//   crown_iisph_0002.vtkhdf, scene crown_splash: 7751 particles, 797 surface
-//     sha256 119ec09d4e33dfa689800314db134db695f2aab1cbf68430190300b6c3276ff9
+//     sha256 da9c72f31206f60996ce5d609fec36afdc799f7626aa4da14d73d8d7ec307318
+//   crown_iisph_0002.vtkhdf, scene crown_splash: 7751 particles, 795 surface
+//     sha256 baca102901ecd19a6d98629b063439819e58263349387a8ac6e041f5704c1039
 //   dam_dfsph_0000.vtkhdf, scene dam_break: 3146 particles, 370 surface
-//     sha256 fd2cfe856f8ecba1645603ec119c1fa6d5a5c068edb053616813ae8ffe997c57
+//     sha256 b6a498eebe5df59d41f7fd413b514284766e97224f451949456ef73802e76ad4
 //   dam_dfsph_0001.vtkhdf, scene dam_break: 3146 particles, 372 surface
-//     sha256 edcd40649d221d6ceea93d4114e9fadd1e7e40e96553f9a0fae4bc94fa2e77b2
-//   dam_dfsph_0002.vtkhdf, scene dam_break: 3146 particles, 468 surface
-//     sha256 e9eb206dfc796068199cd9b2d7f0ff1fc142aa7ce9f3d865465a7c5bdc49c458
-//   dam_dfsph_0003.vtkhdf, scene dam_break: 3146 particles, 608 surface
-//     sha256 41eec4f7d248ca82fcaceb2aed26d0e440298ef950df8d8745c462f17069d425
-//   dam_dfsph_0004.vtkhdf, scene dam_break: 3146 particles, 552 surface
-//     sha256 79325bdcdb026099e329f0bc36feb871b85a9cbbc1b86ea94df4e38278a2ad46
+//     sha256 cda0e82ef58bbe1c59041196855ef088940a48bc786fb145b894088c73a1118e
+//   dam_dfsph_0002.vtkhdf, scene dam_break: 3146 particles, 477 surface
+//     sha256 f0aa42b094d03302d275f5f518a13632fe6d9ccfb0c5caade9b6c4b7d8019420
+//   dam_dfsph_0003.vtkhdf, scene dam_break: 3146 particles, 610 surface
+//     sha256 df96f9bd8eabef3fce703e67164a1f653fec292ac782dc54dd9cc68aa1200080
+//   dam_dfsph_0004.vtkhdf, scene dam_break: 3146 particles, 570 surface
+//     sha256 039d753eec84a6b254e2c5c04e7ccede589c758a113475c9eb51acc2d7dd1f82
 //   dam_wcsph_0000.vtkhdf, scene dam_break: 3146 particles, 370 surface
-//     sha256 6d509f916091a4a2f018c432438a9ba74edadb1048d8d3bbfd4c1e28104bfb3d
-//   dam_wcsph_0001.vtkhdf, scene dam_break: 3146 particles, 351 surface
-//     sha256 ae2e32e727e185c16a9ccddab59ceba1ae467b6a89a45b5013b6f15eafc277c7
-//   dam_wcsph_0002.vtkhdf, scene dam_break: 3146 particles, 459 surface
-//     sha256 38db5eaa7b107e61f4ceedcb6c4d812f0203222b346a63d3004ef344a001508f
+//     sha256 df40822d2ca7217446bfff0234c0b1c6a7cb5ab2c581d5fa8d5dccc5b55596e5
+//   dam_wcsph_0001.vtkhdf, scene dam_break: 3146 particles, 357 surface
+//     sha256 fbf81097dba054fea7f17f202a7192494229a31208ad0c86a2e284df98a2e5ef
+//   dam_wcsph_0002.vtkhdf, scene dam_break: 3146 particles, 421 surface
+//     sha256 9a02f33b884379cdfc03dd771150254895f65d9a136963a135dc686a805b0e4d
 //   double_dam_pcisph_0000.vtkhdf, scene double_dam_break: 3960 particles, 586 surface
-//     sha256 39f27254a1d9025a0e7caab8d955357163e9f9352b0660189e1c385e3800cde7
-//   double_dam_pcisph_0001.vtkhdf, scene double_dam_break: 3960 particles, 431 surface
-//     sha256 0ea68aaa878407453039d87b13a31e34594f02d8ff10a8638fb55ab0ef3fc3b2
-//   double_dam_pcisph_0002.vtkhdf, scene double_dam_break: 3960 particles, 764 surface
-//     sha256 f51320bda00b165224ce55f92b772b028383dff8e282082b8d9ce3e8bc3ed66e
-//   double_dam_pcisph_0003.vtkhdf, scene double_dam_break: 3960 particles, 495 surface
-//     sha256 bfdeddf7e1e54ca3e3e946f55d3273ee75cf185d976e321134a2f5e80943057a
+//     sha256 926dbce71db53f6df12c01147202d41206ff0a6b7b88f5f01d01ead95443ed92
+//   double_dam_pcisph_0001.vtkhdf, scene double_dam_break: 3960 particles, 430 surface
+//     sha256 1c2b0b6987ebd54b9b3d45f629a660cf406760921d1f8cca5ed372e8e4c03314
+//   double_dam_pcisph_0002.vtkhdf, scene double_dam_break: 3960 particles, 747 surface
+//     sha256 f12428c9e1ba608be634d08ff8312460d59ce405e31458ba616f64997df679cb
+//   double_dam_pcisph_0003.vtkhdf, scene double_dam_break: 3960 particles, 502 surface
+//     sha256 57d3a03e45d148bb8addfa2c0c0f3b408fcd9d2045b0a0e554216fcea38af0c8
 //   droplet_iisph_0000.vtkhdf, scene double_droplet: 3456 particles, 1256 surface
-//     sha256 bd8ca70fae51c376d791d51a9c1d542ff852dc3ef6af58a667d445cf624391ca
+//     sha256 629a7cc98076523c22aad80940c08456e16e4282f94362a9370932540fe1d5ed
 //   droplet_iisph_0001.vtkhdf, scene double_droplet: 3456 particles, 1356 surface
-//     sha256 30e5733811722602b99c42a7aa048f48b94925d46ec00f92e2831d40f03a59a6
+//     sha256 57de24777b5043f50606221984a80039d0cffdf02e24932e5a50f56e8d142447
 //   droplet_iisph_0002.vtkhdf, scene double_droplet: 3456 particles, 1387 surface
-//     sha256 8226d83f12c060084ba848677144795e18ad671fbc1a959cd70af38e46ff9b3b
+//     sha256 d2e898bb24ba542096eed0bd8e30e0edb09affc2b579f28ee6d15c933b180916
 //   droplet_iisph_0003.vtkhdf, scene double_droplet: 3456 particles, 1272 surface
-//     sha256 721e822cc9f2423574fd2148e81343d9b77c83f9c5c761980ed9a7d3ab642ebf
+//     sha256 7a375fa021677325dc94be9e5ffa9313416f34da378d22726869a775e703fcca
 //   droplet_iisph_0004.vtkhdf, scene double_droplet: 3456 particles, 1343 surface
-//     sha256 5934234fa469e5785e36d88bd6a3c83e0b8f2365d04d254f61054edfbdf4dc1d
+//     sha256 0067be22b70fffd3c9fb8bedaa923cd6d8879083459989d571f364a36c27e442
 //   formation_dfsph_0000.vtkhdf, scene drop_formation: 4096 particles, 1352 surface
-//     sha256 abdef04ed937d2ae7ac7831db13921a2040dfef8cf3c008a7d5f49871b8a55d5
+//     sha256 33893b0c36eea5a403c736e0caa5ebe01d7dd603109fa4e3d5c4b69bd39db87f
 //   formation_dfsph_0001.vtkhdf, scene drop_formation: 4096 particles, 1399 surface
-//     sha256 caa597f2b38e635debac1631f57e7613745d2c8adef407d543af234093ce48a6
+//     sha256 8b63497b55b1c47ce9549a7626cc5dc5dceb43c2e7b0dbe09878b26653000c36
 //   formation_dfsph_0002.vtkhdf, scene drop_formation: 4096 particles, 1353 surface
-//     sha256 ce4d5a97c39783b4f39c1020e59bcb9b2df18de37ad226cd8722b63d7643df2a
+//     sha256 d00695a8a92a73fd96cdedaf8a95f21a350cde68f66ef4a487862a5ca9a7afa8
 //   formation_dfsph_0003.vtkhdf, scene drop_formation: 4096 particles, 1318 surface
-//     sha256 62bbb524d5af6d23b4ffde90122f153d514e3fb2293680ac73051c6a9355bc19
-//   glass_dfsph_0000.vtkhdf, scene water_glass: 4620 particles, 1353 surface
-//     sha256 90be29ed6e0bc939e5192eb98721c9630e46d3699669b41ee8ef6fb2d748a44b
-//   glass_dfsph_0001.vtkhdf, scene water_glass: 4620 particles, 741 surface
-//     sha256 4ddd0ee41732de77811605c48b39a761edbe1b17f1d7bd20247cef237bb4e993
-//   glass_dfsph_0002.vtkhdf, scene water_glass: 4620 particles, 1632 surface
-//     sha256 c1734fe4d9d5ebbc650e26d245f19ae91cf40c541f636b4e2099221d97639386
-//   glass_dfsph_0003.vtkhdf, scene water_glass: 4620 particles, 2071 surface
-//     sha256 45bbcc66b511adf4ef9dd9cf7abd1fa8361155d932908e40c49ee349076bc446
-//   glass_dfsph_0004.vtkhdf, scene water_glass: 4620 particles, 2230 surface
-//     sha256 82e7035087f15b1c661c4dc5d490066c07d922c16d71f22bed53244a338e1aa9
+//     sha256 ba900628c234d56a0e0ec04bf3a0fd5f8e48e1a234757d949614753038065620
+//   glass_dfsph_0000.vtkhdf, scene water_glass: 4608 particles, 1518 surface
+//     sha256 c14ce5ff8f75b81bc404903418127d1c25cc3e27e1ccfd893de2b751e5fdd06c
+//   glass_dfsph_0001.vtkhdf, scene water_glass: 4608 particles, 771 surface
+//     sha256 0679ef7f2ac2534a5c033a2ec062face8cb57f7b788f0f56abce61ef51cf8f0a
+//   glass_dfsph_0002.vtkhdf, scene water_glass: 4608 particles, 1606 surface
+//     sha256 354ca7370565e6a9efb88cb87aa847e2d0f7ccf171291819772ece4f4bb434ea
+//   glass_dfsph_0003.vtkhdf, scene water_glass: 4608 particles, 2081 surface
+//     sha256 8fe3c1ed6ecbe63022d6e728ceaba66fbf6e3d0f653f6a3d86e48b3d902babb5
+//   glass_dfsph_0004.vtkhdf, scene water_glass: 4608 particles, 2477 surface
+//     sha256 c9148e8467fd0cbd7c9a8339ce3963c8b8f43676241244093a012ca4eb051397
 //   hole_dfsph_0000.vtkhdf, scene box_with_hole: 3136 particles, 200 surface
-//     sha256 8c987dd10dee4d6997788005447bdf6a5aab9451694b943aac20f6b33257bd0f
-//   hole_dfsph_0001.vtkhdf, scene box_with_hole: 3136 particles, 504 surface
-//     sha256 5e43f2180701f127e6ed115e5bf7eb928e778e20564e4976cc79889d4d40f336
-//   hole_dfsph_0002.vtkhdf, scene box_with_hole: 3136 particles, 745 surface
-//     sha256 de9598d890d68e6b0a87a35270c4ca501de12c4727ad9751c54132eb1c0fab5d
-//   hole_dfsph_0003.vtkhdf, scene box_with_hole: 3136 particles, 962 surface
-//     sha256 6c7cd7238c71da846354cc5d2bb054dae2de2d076fc1124e57059b5373961575
+//     sha256 aff50c928e67a6cfa63d8c615d52f16b8cfa8bbf3edf2bef453f9870aaaee1da
+//   hole_dfsph_0001.vtkhdf, scene box_with_hole: 3136 particles, 452 surface
+//     sha256 b9ad25f0c1e21ee36b1c556b84ebf0ecef5614e6f4f246139093e3daef40e957
+//   hole_dfsph_0002.vtkhdf, scene box_with_hole: 3136 particles, 738 surface
+//     sha256 6ff345455887f330d06bacdd9e7ee30070ebf8cfc189c92951264a9226eba4eb
+//   hole_dfsph_0003.vtkhdf, scene box_with_hole: 3136 particles, 900 surface
+//     sha256 dafc3c94adb3547d0616520a15c94b88599460dcfca87c9cb1f168480cd7eb45
 //   obstacle_dfsph_0000.vtkhdf, scene dam_break_with_obstacle: 3146 particles, 370 surface
-//     sha256 20af2d1c3e93fa893d3b508f32c3a1b23afba2f0495ade429d63c2139a60818e
-//   obstacle_dfsph_0001.vtkhdf, scene dam_break_with_obstacle: 3146 particles, 348 surface
-//     sha256 501133db2779eeb06bb4457e92c6b2cc5b51a5f9049d1cac6afb5a7c0ac8b537
-//   obstacle_dfsph_0002.vtkhdf, scene dam_break_with_obstacle: 3146 particles, 762 surface
-//     sha256 b623df8a81948c489a853a483764f999eec7604b1437f71ac57c9f50ed76eba3
-//   obstacle_dfsph_0003.vtkhdf, scene dam_break_with_obstacle: 3146 particles, 598 surface
-//     sha256 e8f81401a08617b1c734cb5fdfc1ac404e7143683f6dd722a75b1f860b0c6375
+//     sha256 cb457b5a95e2f1526ed400516cbb4430feb599315bb6fa0ad50a37cc8b47bdee
+//   obstacle_dfsph_0001.vtkhdf, scene dam_break_with_obstacle: 3146 particles, 347 surface
+//     sha256 07707215305915a16b146f24642a235ec2482be1927dd9ebd6aca0f641e31748
+//   obstacle_dfsph_0002.vtkhdf, scene dam_break_with_obstacle: 3146 particles, 777 surface
+//     sha256 59a76fd2a871ffea6c17d2a4aa8ac9fabaa76ba9536bf0c91cb29986a74a001a
+//   obstacle_dfsph_0003.vtkhdf, scene dam_break_with_obstacle: 3146 particles, 576 surface
+//     sha256 8b1837f9ba492c3d361447118d71f86f4f316a50748cac5234316dbf4abd7e1a
 //   sphere_dfsph_0000.vtkhdf, scene fluid_over_sphere: 5120 particles, 1592 surface
-//     sha256 0a66e2f546cb5747b1a1819b2cab2e665f5f1f269e9c80bfa4f324aa78e11110
+//     sha256 7d9265c1dd26abbdbeb8cdc46c3b23c685b5f200508fd01150c76fd2b95c42d3
 //   sphere_dfsph_0001.vtkhdf, scene fluid_over_sphere: 5120 particles, 1532 surface
-//     sha256 a6ed2ae3b409b6a8e6e2cba8b78f032a1035342e3a43bd3d085ccc3bb4d24533
-//   sphere_dfsph_0002.vtkhdf, scene fluid_over_sphere: 5120 particles, 3319 surface
-//     sha256 a414147fbf0afc37d97208d505315ea66b6e45096b39b03a473b74da029719d2
-//   sphere_dfsph_0003.vtkhdf, scene fluid_over_sphere: 5120 particles, 3024 surface
-//     sha256 2e722e18d27397d45a354deb7f68be6239e3c3829cf7d8c11a162e3697fd0539
+//     sha256 bd79c9739cc4c35f8534798aa66277e62b2fd5fe2174d172608cf2c38c4c9423
+//   sphere_dfsph_0002.vtkhdf, scene fluid_over_sphere: 5120 particles, 3342 surface
+//     sha256 062e7856a66b2d6e0722cc81aea78f391b44af3fe38342f75e4287f0be17bcc7
+//   sphere_dfsph_0003.vtkhdf, scene fluid_over_sphere: 5120 particles, 3009 surface
+//     sha256 9e510582c077d474a7e5fef998687d13fd0256325dce667bc43dfe380bd46d3d
 //   tank_dfsph_0000.vtkhdf, scene resting_tank: 2560 particles, 252 surface
-//     sha256 f69964abcbaaad38e2347280cfd0ea10d4554a6198a46e57671649f37d49c6b3
+//     sha256 8ec6eaf6ea9a7aead07aaeb5767762dc153441fc05c8638409b1e029a15a6fd5
 //   tank_dfsph_0001.vtkhdf, scene resting_tank: 2560 particles, 268 surface
-//     sha256 9246caf1f062dfe3e748406641e5cd0127b2c955ac1d32a4be56c871ef65724a
+//     sha256 bc7f0342781e91a2c7c024d0c90444629fea7cbec10e1f6a9e71934ee4177ebe
 //   tank_dfsph_0002.vtkhdf, scene resting_tank: 2560 particles, 284 surface
-//     sha256 fa5905c13c0b8d11fdc98add7d3e81b5c377f620ccd780a816c5308050fda6d4
+//     sha256 670efdc4b232a1fb649d9cc5104d9aeaae461e69e0c476b73f62fada85c83c51
 // clang-format off
-#ifndef MENISCUS_COEFFICIENTS_AB96AF16D681B653
-#define MENISCUS_COEFFICIENTS_AB96AF16D681B653
+#ifndef MENISCUS_COEFFICIENTS_4C343749D413A263
+#define MENISCUS_COEFFICIENTS_4C343749D413A263
 
 namespace meniscus {
 
 struct SurfaceCoefficients {
     /// Slope, in neighbors per unit of mass offset
-    static constexpr double k = 239.87628853820496;
-    /// Neighbors, 0.00145 of them for rounding
-    static constexpr double d = 20.824633889100323;
+    static constexpr double k = 205.94176860353878;
+    /// Neighbors, 0.00128 of them for rounding
+    static constexpr double d = 23.112945796525086;
     static constexpr int dimension = 3;
     /// r2 / r1 of the labels; neighbors closer than r1 - r2 do not count
     static constexpr double radius_ratio = 0.8;
