@@ -111,9 +111,6 @@ void print_rest(const Folder& scenes) {
     print_head("setting");
     std::vector<Row> rows = {
         {"as it ships", {}},
-        {"forces fade below a third of a flat surface's exposure", {"surface_tension.fade=0.3333"}},
-        {"below all of it", {"surface_tension.fade=1"}},
-        {"forces do not fade", {"surface_tension.fade=0"}},
         {"512 samples", {"surface_tension.samples=512"}},
         {"2048 samples", {"surface_tension.samples=2048"}},
         {"every particle a candidate", {"surface_tension.k=0", "surface_tension.d=1000"}},

@@ -6,12 +6,13 @@
 // Young-Laplace law puts the pressure (D - 1) sigma kappa on each piece of the surface, since the
 // sum of the principal curvatures counts and kappa is their mean, and each particle carries the
 // piece
-//     A_i = w_i / sum_j w_j K(x_j - x_i)
+//     A_i = e_i / sum_j e_j K(x_j - x_i)
 // of the sheet through the outermost particles: K is a kernel on the sheet whose integral is 1, the
-// sum runs over i itself and the surface particles on its side, and w is the exposure weight, so
-// that pieces go to those who are exposed. The fluid's surface lies half a spacing outside of that
-// sheet and is larger by (1 + kappa_sheet spacing / 2)^(D - 1). In two dimensions forces are per
-// depth, N/m.
+// sum runs over i itself and the surface particles on its side, and e is the exposure, so that
+// pieces go to those who stand out: pushed in as much as the others, a particle that lies in a
+// dimple stays there, and a droplet keeps its dents. The fluid's surface lies half a spacing
+// outside of that sheet and is larger by (1 + kappa_sheet spacing / 2)^(D - 1). In two dimensions
+// forces are per depth, N/m.
 #pragma once
 
 #include "curvature_map.hpp"
@@ -37,13 +38,13 @@ MENISCUS_INLINE Real to_area(Real length) {
 /// Part of the sheet that the particle in a slot carries, in units of h^(D - 1).
 template <class Real, int Dimension>
 MENISCUS_INLINE Real sheet_area(const SurfaceParticles<Real, Dimension>& list, std::size_t slot) {
-    const Real own = list.weight[slot];
+    const Real own = list.exposure[slot];
     Real sum = own;
     const auto* pair = list.pairs.data() + list.pairs_begin[slot];
     for (const auto* last = pair + list.pairs_count[slot]; pair != last; ++pair) {
         const Real side = product<Real, Dimension>(list.normal[slot], list.normal[pair->slot]);
         // Whether it faces the same way is for no branch to guess, hence the product.
-        sum += static_cast<Real>(side > 0) * (list.weight[pair->slot] * pair->weight);
+        sum += static_cast<Real>(side > 0) * (list.exposure[pair->slot] * pair->weight);
     }
     constexpr auto scale = static_cast<Real>(kernel_integral<Dimension>);
     return own > 0 ? scale * own / sum : 0;

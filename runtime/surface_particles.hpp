@@ -174,8 +174,7 @@ struct ExposureOptions {
     double radius_ratio = 0.8; ///< r2 / r1, in (0, 1)
     CoverageMethod method = CoverageMethod::sampled;
     Verification verification = Verification::exact;
-    /// Exposure at which a particle weighs 1, over that on a flat surface; 0: always. Beyond 3 no
-    /// particle weighs 1, and only the ratios of weights count.
+    /// Exposure at which a particle weighs 1, over that on a flat surface; 0: always.
     double fade = 1.0 / 3;
 };
 

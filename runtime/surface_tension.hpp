@@ -85,8 +85,7 @@ inline void check(const SurfaceTensionOptions& options, int dimension) {
     demand(is_share(ratio) && ratio > 0 && ratio < 1, "radius_ratio must be between 0 and 1");
     demand(options.samples >= fewest_samples && options.samples <= most_samples,
            "samples must be between 4 and 16384");
-    const double fade = options.exposure.fade;
-    demand(is_finite(fade) && fade >= 0 && fade <= 4, "fade must be between 0 and 4");
+    demand(is_share(options.exposure.fade), "fade must be between 0 and 1");
     demand(is_share(options.tau), "tau must be between 0 and 1");
     demand(options.normal_passes >= 0, "normal_passes must not be negative");
     demand(is_share(options.covariance_share), "covariance_share must be between 0 and 1");

@@ -57,10 +57,8 @@ SurfaceTensionOptions tension_settings(const TensionOptions& options, const Step
         settings.k = *options.k;
     if (options.d)
         settings.d = *options.d;
-    if (!options.paper) {
+    if (!options.paper)
         settings.exposure.verification = options.verify ? Verification::exact : Verification::drop;
-        settings.exposure.fade = options.fade;
-    }
     const double h = units.support_radius;
     settings.force.surface_tension = options.coefficient / (units.rest_density * h * h * h);
     settings.force.spacing_ratio = 1 / spacing;

@@ -99,9 +99,7 @@ struct TensionOptions {
     int samples = 128;
     bool verify = true;           ///< what no sample finds uncovered is tested exactly
     bool balance_momentum = true; ///< takes net force and torque out of bodies that touch no wall
-    /// Exposure at which a particle carries its full share of the surface, over that on a flat one.
-    double fade = 2;
-    std::optional<double> k; ///< line of the classifier; without it the one that ships
+    std::optional<double> k;      ///< line of the classifier; without it the one that ships
     std::optional<double> d;
     bool paper = false; ///< the 2020 paper's own choices in place of the project's
 };

@@ -261,9 +261,6 @@ void read_meniscus_options(const JsonReader& reader, TensionOptions& options) {
     take(reader, "verify", options.verify);
     take(reader, "balance_momentum", options.balance_momentum);
     take(reader, "paper", options.paper);
-    if (options.paper)
-        refuse_with(reader, "fade", "'paper' has forces that do not fade");
-    take(reader, "fade", 0, 4, options.fade);
     if (reader.has("k") != reader.has("d"))
         reader.refuse(reader.has("k") ? "d" : "k", "there too: a line has both k and d");
     if (reader.has("k")) {
@@ -274,7 +271,7 @@ void read_meniscus_options(const JsonReader& reader, TensionOptions& options) {
 
 TensionOptions read_tension(const JsonReader& reader) {
     reader.expect_only({"model", "coefficient", "restrict_to_surface", "samples", "verify",
-                        "balance_momentum", "fade", "k", "d", "paper"});
+                        "balance_momentum", "k", "d", "paper"});
     std::vector<std::string> models = tension_names;
     models.erase(models.begin()); // a scene without surface tension leaves the section out
     TensionOptions options;
@@ -284,7 +281,7 @@ TensionOptions read_tension(const JsonReader& reader) {
         read_meniscus_options(reader, options);
         return options;
     }
-    for (const char* key : {"samples", "verify", "balance_momentum", "fade", "k", "d", "paper"})
+    for (const char* key : {"samples", "verify", "balance_momentum", "k", "d", "paper"})
         refuse_with(reader, key, "it is for model meniscus alone");
     take(reader, "restrict_to_surface", options.restrict_to_surface);
     return options;
@@ -493,7 +490,6 @@ Json json_of(const TensionOptions& options) {
             {"samples", options.samples},
             {"verify", options.verify},
             {"balance_momentum", options.balance_momentum},
-            {"fade", options.fade},
             {"k", json_of(options.k)},
             {"d", json_of(options.d)},
             {"paper", options.paper}};

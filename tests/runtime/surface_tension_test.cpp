@@ -397,7 +397,6 @@ TEST(SurfaceTensionCheck, NamesWhatIsOutOfRange) {
         {"samples", [](auto& o) { o.samples = 3; }},
         {"samples", [](auto& o) { o.samples = 16385; }},
         {"fade", [](auto& o) { o.exposure.fade = -0.1; }},
-        {"fade", [](auto& o) { o.exposure.fade = 4.1; }},
         {"tau", [](auto& o) { o.tau = 1.1; }},
         {"tau", [=](auto& o) { o.tau = nan; }},
         {"normal_passes", [](auto& o) { o.normal_passes = -1; }},

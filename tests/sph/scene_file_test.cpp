@@ -321,7 +321,6 @@ TEST_F(SceneFile, NamesKeysThatContradictEachOther) {
                     {"'pressure.density_error'", "wcsph"});
     expect_mentions(error_with("/surface_tension/model", "akinci_2013"),
                     {"'surface_tension.samples'", "meniscus alone"});
-    expect_mentions(error_with("/surface_tension/fade", 1), {"'surface_tension.fade'", "'paper'"});
     expect_mentions(error_with("/surface_tension/restrict_to_surface", true),
                     {"'surface_tension.restrict_to_surface'"});
     expect_mentions(error(full_scene, [](Json& json) { json["surface_tension"].erase("d"); }),
