@@ -187,16 +187,16 @@ void find_force_reference(const View& view, const Radii& radii,
             list.curvature[slot] = options.map.averaged ? sum / weights : mapped[slot];
     }
     for (std::size_t slot = 0; slot < list.size(); ++slot) {
-        Real sum = list.weight[slot];
+        Real sum = list.exposure[slot];
         around(slot, [&](std::size_t other, Real weight, const Vector& /*step*/) {
             if (product<Real, Dimension>(list.normal[slot], list.normal[other]) > 0)
-                sum += list.weight[other] * weight;
+                sum += list.exposure[other] * weight;
         });
         using namespace surface_force;
         const auto radius = static_cast<double>(radii.of(list.particle[slot]));
         const double half_spacing = radius / options.force.spacing_ratio / 2;
         const double side = radius * (1 + static_cast<double>(list.turning[slot]) * half_spacing);
-        const double share = sum > 0 ? static_cast<double>(list.weight[slot] / sum) : 0;
+        const double share = sum > 0 ? static_cast<double>(list.exposure[slot] / sum) : 0;
         const double area = kernel_integral<Dimension> * share * to_area<Dimension>(side);
         const double size = (Dimension - 1) * options.force.surface_tension *
                             static_cast<double>(list.curvature[slot]) * area;

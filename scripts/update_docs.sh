@@ -104,6 +104,9 @@ if wanted simulation; then
     for table in runs dam_front iterations; do
         "$bin/solver_runs" "$table" configs/scenes | replace docs/simulation.md "${table//_/-}"
     done
+    for table in formation formation_paper line rest rivals coalescence oscillation; do
+        "$bin/droplets" "$table" configs/scenes | replace docs/simulation.md "${table//_/-}"
+    done
 fi
 if wanted step-speed; then
     for table in stages scaling; do
