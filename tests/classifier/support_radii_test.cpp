@@ -48,7 +48,7 @@ TEST_P(ShippedModelsOnDroplets, MissNoWideOpening) {
                 EXPECT_EQ(row.features_differ, 0U);
                 // At 2 spacings a lattice has 26 neighbors, hardly more than the line asks for.
                 if (spacings_per_radius > 2) {
-                    EXPECT_LT(false_positive_rate(row), 0.5);
+                    EXPECT_LT(false_positive_rate(row), 0.6);
                 }
             }
 }
