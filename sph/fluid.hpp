@@ -117,10 +117,10 @@ struct Fluid {
 /// Eight neighbors of a particle i.
 template <class Real, int Dimension>
 struct NeighborLanes {
-    const std::uint32_t* index;   ///< which
     Lanes<Real> step[Dimension];  ///< x_i - x_j
     Lanes<Real> distance_squared; ///< |x_i - x_j|^2
     Lanes<Real> w;                ///< of their rows
+    const std::uint32_t* index;   ///< which
     std::uint32_t at;             ///< of the first, in the list of i
 };
 

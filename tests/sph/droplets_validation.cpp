@@ -21,7 +21,8 @@ TEST(DropletValidation, CubeBecomesABall) {
 }
 
 TEST(DropletValidation, TwoCubesBecomeABall) {
-    const Scene scene = read_scene(scenes / "double_droplet.json", "", {"duration=4"});
+    const Scene scene =
+        read_scene(scenes / "double_droplet.json", "", {"duration=6", "viscosity.kinematic=0.1"});
     const DropletRun run = run_droplet(scene);
     EXPECT_EQ(run.summary.failure, "");
     EXPECT_LT(run.deviation, 0.02);
