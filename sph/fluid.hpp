@@ -11,14 +11,48 @@
 #include "kernels.hpp"
 
 #include <cstdint>
+#include <exception>
+#include <omp.h>
 #include <vector>
 
 namespace meniscus {
 inline namespace MENISCUS_INSTRUCTION_SET {
 
+/// One stretch of whole parts for each thread (parallel_loop.hpp), the same in each pass: what a
+/// thread wrote in the last pass is still close to it.
+struct StretchLoop {
+    static constexpr std::size_t part_size = 256;
+
+    int threads = omp_get_max_threads();
+
+    [[nodiscard]] int workers() const { return threads; }
+
+    template <class Body>
+    void operator()(std::size_t count, Body&& body) const {
+        const std::size_t parts = (count + part_size - 1) / part_size;
+        const auto stretches = static_cast<std::size_t>(threads);
+        std::exception_ptr thrown; // none may leave the parallel region
+#pragma omp parallel for schedule(static, 1) num_threads(threads)
+        for (int worker = 0; worker < threads; ++worker) {
+            const auto number = static_cast<std::size_t>(worker);
+            const std::size_t begin = parts * number / stretches * part_size;
+            const std::size_t end = std::min(parts * (number + 1) / stretches * part_size, count);
+            try {
+                if (begin < end)
+                    body(begin, end, worker);
+            } catch (...) {
+#pragma omp critical(meniscus_stretch_thrown)
+                thrown = std::current_exception();
+            }
+        }
+        if (thrown)
+            std::rethrow_exception(thrown);
+    }
+};
+
 /// A pass over all particles, and sums over it that do not depend on the number of threads.
 struct ParticleLoop {
-    OpenMpLoop loop;
+    StretchLoop loop;
 
     [[nodiscard]] int workers() const { return loop.workers(); }
 
@@ -36,8 +70,10 @@ struct ParticleLoop {
     [[nodiscard]] double sum(std::size_t count, const Value& value) const {
         std::vector<double> parts(count / part_size + 1, 0.0);
         each_part(count, [&](std::size_t part, std::size_t begin, std::size_t end) {
+            double sum = 0;
             for (std::size_t i = begin; i < end; ++i)
-                parts[part] += static_cast<double>(value(i));
+                sum += static_cast<double>(value(i));
+            parts[part] = sum;
         });
         double total = 0;
         for (const double part : parts)
@@ -50,8 +86,10 @@ struct ParticleLoop {
     [[nodiscard]] double largest(std::size_t count, double least, const Value& value) const {
         std::vector<double> parts(count / part_size + 1, least);
         each_part(count, [&](std::size_t part, std::size_t begin, std::size_t end) {
+            double largest = least;
             for (std::size_t i = begin; i < end; ++i)
-                parts[part] = std::max(parts[part], static_cast<double>(value(i)));
+                largest = std::max(largest, static_cast<double>(value(i)));
+            parts[part] = largest;
         });
         return *std::max_element(parts.begin(), parts.end());
     }
@@ -66,7 +104,7 @@ struct ParticleLoop {
         });
     }
 
-    static constexpr std::size_t part_size = 256; ///< that of the chunks of OpenMpLoop
+    static constexpr std::size_t part_size = StretchLoop::part_size;
 };
 
 /// Neighbor lists. Those of a particle are followed by copies of one that is far from all, up to a

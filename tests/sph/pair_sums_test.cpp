@@ -144,7 +144,7 @@ public:
 
     /// Sorts places into cells, finds lists for them and for others, and compares with all pairs.
     static void expect_all_pairs(const Positions& places, const Positions& others) {
-        const ParticleLoop loop{OpenMpLoop{2}};
+        const ParticleLoop loop{StretchLoop{2}};
         const std::size_t count = places.size();
         const std::vector<Row<Real>> rows = rows_of(places);
         Cells<Real> cells;
