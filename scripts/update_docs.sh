@@ -104,7 +104,7 @@ if wanted simulation; then
     for table in runs dam_front iterations; do
         "$bin/solver_runs" "$table" configs/scenes | replace docs/simulation.md "${table//_/-}"
     done
-    for table in formation formation_paper line rest rivals coalescence oscillation; do
+    for table in formation formation_paper line rivals coalescence oscillation; do
         "$bin/droplets" "$table" configs/scenes | replace docs/simulation.md "${table//_/-}"
     done
 fi
