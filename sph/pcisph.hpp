@@ -21,7 +21,8 @@ public:
         std::fill(this->pressure.begin(), this->pressure.end(), Real(0));
         acceleration.assign(fluid.count, {});
         with_kernel<Real, Dimension>(fluid.kernel, [&](auto kernel) {
-            const Real step = relaxation / (2 * dt * dt * fluid.mass * fluid.mass * rest_gradients(kernel));
+            const Real step =
+                relaxation / (2 * dt * dt * fluid.mass * fluid.mass * rest_gradients(kernel));
             for (;; ++report.iterations) {
                 predict(fluid, dt);
                 report.error = update(fluid, kernel, step);
