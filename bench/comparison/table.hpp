@@ -1,0 +1,72 @@
+// The figures of a comparison: a table of one row a method, printed as Markdown, kept as JSON, and
+// plotted as time against error. A method is among the best where no other is both as fast and as
+// accurate, and better in one of the two (Pareto).
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace meniscus {
+
+/// Median of repeated runs, and the quartiles, between which half of the runs lie.
+struct RepeatedTime {
+    double median = 0; ///< in the unit of its column
+    double lower = 0;
+    double upper = 0;
+};
+
+/// What stands in a cell; nothing where a figure does not apply, printed as "-".
+using Cell = std::variant<std::monostate, std::string, double, RepeatedTime>;
+
+struct Column {
+    std::string key;     ///< in JSON
+    std::string heading; ///< in Markdown, with unit
+    int digits = 3;      ///< significant ones, in Markdown; JSON keeps all
+};
+
+struct Table {
+    std::string name; ///< key in JSON, stem of the plot
+    std::string title;
+    std::vector<Column> columns;
+    std::vector<std::vector<Cell>> rows;
+
+    /// Index of the column of that key, which must be one.
+    [[nodiscard]] std::size_t column(const std::string& key) const;
+};
+
+/// Adds a column "best" that says "yes" in each row that no other row beats: none is at most equal
+/// in each of the columns `keys` and less in one. Rows that lack one of the figures are not among
+/// the best. Where `group` names a column, rows are compared only with those of equal text there.
+void mark_best(Table& table, const std::vector<std::string>& keys, const std::string& group = "");
+
+/// The table in Markdown, without its title.
+std::string markdown(const Table& table);
+
+/// {"name", "title", "columns": [{"key", "heading"}], "rows": [{key: value}]}; a RepeatedTime is an
+/// object of median, lower and upper, and an empty cell is null.
+nlohmann::json to_json(const Table& table);
+
+/// One plot of a table: both axes logarithmic where said; rows of one text in column `series` share
+/// a color and a legend entry; rows marked best are drawn filled and joined where `joined`.
+struct Plot {
+    std::string file; ///< name, ending in .svg
+    std::string title;
+    std::string x;      ///< key of a column
+    std::string y;      ///< key of a column
+    std::string series; ///< key of a column of texts
+    std::string label;  ///< key of a column of texts that name the points; empty: no names
+    std::string panel;  ///< key of a column of texts: one picture beside another for each; or empty
+    bool logarithmic_x = true;
+    bool logarithmic_y = true;
+    bool joined = false; ///< lines through the rows of a series, in their order
+};
+
+/// Draws the plot as SVG with gnuplot; an existing file is replaced. On logarithmic axes zeros lie
+/// on the axis, marked so. Throws FailureError where gnuplot is missing or fails.
+void draw(const Table& table, const Plot& plot, const std::string& folder);
+
+} // namespace meniscus
