@@ -5,6 +5,7 @@
 // step_fluid.hpp it comes after sph/step_headers.hpp.
 #pragma once
 
+#include "comparison/fluid_state.hpp"
 #include "comparison/loops.hpp"
 #include "comparison/step_fluid.hpp"
 
@@ -18,7 +19,8 @@ class ColorFieldEstimator {
 public:
     /// Around the particles in `surface`, indices of the state, which must both outlive this.
     ColorFieldEstimator(const FluidState<double>& state, const std::vector<std::size_t>& surface)
-        : step(state), particles(surface), normals(state.size()), curvatures(surface.size()) {
+        : step(state.positions, state.lists, state.support_radius, state.particle_volume),
+          particles(surface), normals(state.size()), curvatures(surface.size()) {
         for (std::size_t i = 0; i < state.size(); ++i)
             step.fluid.place[i].w = step.fluid.mass / step.fluid.density[i];
         std::vector<std::uint8_t> is_needed(state.size());

@@ -4,38 +4,39 @@
 // first.
 #pragma once
 
-#include "comparison/fluid_state.hpp"
-
+#include <meniscus/data/neighbor_search.hpp>
 #include <meniscus/sph/pair_sums.hpp>
 
 namespace meniscus {
+inline namespace MENISCUS_INSTRUCTION_SET {
 
 /// Of water, kg/m^3: in Akinci's model cohesion and curvature weigh as the unit of density has it.
 inline constexpr double step_rest_density = 1000;
 
-/// The state must be of this dimension and outlive nothing: all is copied.
 template <class Real, int Dimension>
 class StepFluid {
 public:
     Fluid<Real, Dimension> fluid;
 
-    /// Densities are those of particles with the state's volume, 1 in the middle of the fluid.
-    explicit StepFluid(const FluidState<Real>& state) {
-        const Real h = state.support_radius;
+    /// `positions` has Dimension values a particle, `lists` those closer than the support radius;
+    /// of particles that each have that volume, so that the density is about 1 inside.
+    StepFluid(const std::vector<Real>& positions, const NeighborLists& lists, Real support_radius,
+              Real particle_volume) {
+        const Real h = support_radius;
         fluid.units = {static_cast<double>(h), step_rest_density, {}};
-        fluid.mass = state.particle_volume / (Dimension == 3 ? h * h * h : h * h);
+        fluid.mass = particle_volume / (Dimension == 3 ? h * h * h : h * h);
         fluid.loop.loop.threads = 1;
-        resize(state.size());
+        resize(positions.size() / Dimension);
         Row<Real> low{};
         for (std::size_t i = 0; i < fluid.count; ++i) {
-            fluid.place[i] = row_of(&state.positions[Dimension * i], 1 / h);
+            fluid.place[i] = row_of(&positions[Dimension * i], 1 / h);
             low = {std::min(low.x, fluid.place[i].x), std::min(low.y, fluid.place[i].y),
                    std::min(low.z, fluid.place[i].z), 0};
         }
         fluid.place.back() = {low.x - 10, low.y - 10, low.z - 10, 0};
         fluid.velocity.back() = {0, 0, 0, 1}; // a density to divide by
         fluid.wall_place = {fluid.place.back()};
-        take_lists(state.lists);
+        take_lists(lists);
         find_densities(fluid);
     }
     StepFluid(const StepFluid&) = delete;
@@ -86,4 +87,5 @@ private:
     }
 };
 
+} // namespace MENISCUS_INSTRUCTION_SET
 } // namespace meniscus

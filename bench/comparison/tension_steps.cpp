@@ -1,86 +1,75 @@
-#include <meniscus/sph/step_headers.hpp>
-
 #include "comparison/tension_steps.hpp"
 
-#include "becker_force.hpp"
 #include "comparison/known_state.hpp"
-#include "comparison/loops.hpp"
 #include "comparison/per_particle.hpp"
-#include "comparison/step_fluid.hpp"
+#include "comparison/step_models.hpp"
 
 #include <meniscus/data/errors.hpp>
-#include <meniscus/sph/fluid_step.hpp>
+#include <meniscus/runtime/angles.hpp>
+#include <meniscus/runtime/vector3.hpp>
 
 #include <cmath>
-#include <functional>
+#include <limits>
 #include <numeric>
 
 namespace meniscus {
 namespace {
 
-using Model = SurfaceTensionModel<float, 3>;
-
 /// A model as it is listed.
 struct Contender {
     std::string name;
     std::string group;
-    std::function<std::unique_ptr<Model>(const StepUnits&)> make;
+    StepModelKind kind;
 };
 
-Contender rival(const std::string& name, TensionModel model) {
-    return {name, "rivals", [model](const StepUnits& units) {
-                TensionOptions options;
-                options.model = model;
-                options.coefficient = 1;
-                return make_tension_model<float, 3>(options, units, 1 / known_spacing_ratio);
-            }};
+/// The project's model, as scenes have it.
+Contender ours(const std::string& how) {
+    Contender made{"this project, " + how, "this project", {}};
+    made.kind.options.model = TensionModel::meniscus;
+    made.kind.options.coefficient = 1;
+    return made;
 }
 
-using Change = std::function<void(TensionOptions&, SurfaceTensionOptions&)>;
-
-/// The project's model, as scenes have it but for a change.
-Contender ours(const std::string& name, const Change& change) {
-    return {name, "this project", [change](const StepUnits& units) {
-                TensionOptions options;
-                options.coefficient = 1;
-                auto settings = tension_settings<3>(options, units, 1 / known_spacing_ratio);
-                change(options, settings);
-                return std::make_unique<MonteCarloTension<float, 3>>(options, settings);
-            }};
+Contender ours_with_samples(int samples) {
+    Contender made = ours(std::to_string(samples) + " samples");
+    made.kind.options.samples = samples;
+    return made;
 }
 
-Contender ours_with_samples(std::size_t samples) {
-    return ours("this project, " + std::to_string(samples) + " samples",
-                [samples](TensionOptions&, SurfaceTensionOptions& settings) {
-                    settings.samples = samples;
-                });
+Contender ours_exact() {
+    Contender made = ours("exact");
+    made.kind.is_exact = true;
+    return made;
 }
 
-/// As published, sampled by a table of this project, with its line: what the article says of both.
+Contender ours_unbalanced() {
+    Contender made = ours("128 samples, momentum not balanced");
+    made.kind.options.balance_momentum = false;
+    return made;
+}
+
+/// The article's method, with this project's line and outward directions.
 Contender paper() {
-    return {"2020 paper's options", "this project", [](const StepUnits& units) {
-                TensionOptions options;
-                options.coefficient = 1;
-                options.paper = true;
-                options.balance_momentum = false;
-                return std::make_unique<MonteCarloTension<float, 3>>(options, units,
-                                                                     1 / known_spacing_ratio);
-            }};
+    Contender made = ours_unbalanced();
+    made.name = "2020 paper's options, 128 samples";
+    made.kind.options.paper = true;
+    return made;
 }
 
-std::vector<Contender> contenders() {
-    return {
+Contender rival(const std::string& name, TensionModel model) {
+    Contender made{name, "rivals", {}};
+    made.kind.options.model = model;
+    made.kind.options.coefficient = 1;
+    return made;
+}
+
+const std::vector<Contender>& contenders() {
+    static const std::vector<Contender> all = {
         ours_with_samples(10),
         ours_with_samples(32),
         ours_with_samples(128),
-        ours("this project, exact",
-             [](TensionOptions&, SurfaceTensionOptions& settings) {
-                 settings.exposure.method = CoverageMethod::exact;
-             }),
-        ours("this project, 128 samples, momentum not balanced",
-             [](TensionOptions& options, SurfaceTensionOptions&) {
-                 options.balance_momentum = false;
-             }),
+        ours_exact(),
+        ours_unbalanced(),
         paper(),
         rival("Becker and Teschner 2007", TensionModel::becker_2007),
         rival("Huber et al. 2015", TensionModel::huber_2015),
@@ -88,33 +77,11 @@ std::vector<Contender> contenders() {
         rival("He et al. 2014", TensionModel::he_2014),
         rival("color field, Mueller et al. 2003", TensionModel::color_field),
     };
+    return all;
 }
 
+/// Accelerations stand for them: particles all have the same mass.
 using Forces = std::vector<Vector3>;
-
-/// A model on a state, one thread count after another.
-struct Run {
-    StepFluid<float, 3>& step;
-    std::shared_ptr<Model> model;
-
-    /// Adds to the accelerations over and over: they grow, which nothing depends on.
-    void operator()(int threads) const {
-        step.fluid.loop.loop.threads = threads;
-        model->add_accelerations(step.fluid);
-    }
-
-    /// Of one call; particles all have the same mass.
-    [[nodiscard]] Forces forces() const {
-        auto& rows = step.fluid.acceleration;
-        std::fill(rows.begin(), rows.end(), Row<float>{});
-        (*this)(1);
-        Forces forces;
-        for (const auto& row : rows)
-            forces.push_back({static_cast<double>(row.x), static_cast<double>(row.y),
-                              static_cast<double>(row.z)});
-        return forces;
-    }
-};
 
 double length(const Vector3& vector) {
     return std::sqrt(dot(vector, vector));
@@ -215,70 +182,34 @@ std::vector<Cell> errors_of(const KnownState<float>& known, const Forces& forces
             part_inside(cloud, forces)};
 }
 
-/// The force of Becker and Teschner over the lists of runtime/, a plain loop for each particle: how
-/// much of the step's times is the step's.
-std::function<void(int threads)> plain_becker(const FluidState<float>& state, int threads) {
-    struct Memory {
-        std::vector<BeckerRow> rows;
-        std::vector<std::array<float, 3>> force;
-    };
-    const auto memory = std::make_shared<Memory>();
-    memory->rows.resize(static_cast<std::size_t>(threads));
-    return [&state, memory](int run_threads) {
-        with_loop(run_threads, [&](const auto& loop) {
-            find_becker_force(state.view<3>(), state.size(), state.support_radius, 1, loop,
-                              memory->rows.data(), memory->force);
-        });
-    };
-}
-
-/// What is shown of a state: rows without times, and what to time for each.
-struct StateRows {
-    std::vector<std::vector<Cell>> rows;
-    std::vector<std::function<void(int threads)>> runs;
-};
-
-StateRows rows_of(const FluidState<float>& state, const KnownState<float>* known,
-                  StepFluid<float, 3>& step, int threads) {
-    StateRows made;
-    const auto add = [&](const std::string& name, const std::string& group,
-                         const std::vector<Cell>& errors) {
-        std::vector<Cell> row = {state.name, static_cast<double>(state.size()), name, group, {},
-                                 {}};
-        row.insert(row.end(), errors.begin(), errors.end());
-        made.rows.push_back(row);
-    };
-    for (const Contender& contender : contenders()) {
-        const Run run{step, contender.make(step.fluid.units)};
-        const Forces forces = run.forces();
-        std::vector<Cell> errors(4);
-        if (known != nullptr)
-            errors = errors_of(*known, forces);
-        errors.emplace_back(net_part(forces));
-        add(contender.name, contender.group, errors);
-        made.runs.emplace_back(run);
-    }
-    add("Becker and Teschner 2007, over the runtime's lists", "rivals", std::vector<Cell>(5));
-    made.runs.push_back(plain_becker(state, threads));
-    return made;
-}
+/// Of a state of which nothing is known.
+const std::vector<Cell> no_errors(4);
 
 void add_state(const FluidState<float>& state, const KnownState<float>* known,
                const TensionStepOptions& options, Table& table) {
     if (state.dimension != 3)
         throw InputError(state.name + ": is in 2D; surface-tension steps are compared in 3D");
-    StepFluid<float, 3> step(state);
-    StateRows made = rows_of(state, known, step, options.threads);
+    std::vector<StepModelKind> kinds;
+    for (const Contender& contender : contenders())
+        kinds.push_back(contender.kind);
+    const auto models =
+        step_models({&state.positions, &state.lists, state.support_radius, state.particle_volume},
+                    1 / known_spacing_ratio, kinds);
     std::vector<Timed> timed;
-    for (const auto& run : made.runs)
+    for (std::size_t model = 0; model < kinds.size(); ++model)
         for (const int threads : {1, options.threads})
-            timed.push_back({[&run, threads] { run(threads); }});
+            timed.push_back({[&models, model, threads] { models->run(model, threads); }});
     const auto times = measure(timed, options.timing);
-    const std::size_t time = table.column("time");
-    for (std::size_t k = 0; k < made.rows.size(); ++k) {
-        made.rows[k][time] = per_particle(times[2 * k], 1e-9, state.size());
-        made.rows[k][time + 1] = per_particle(times[2 * k + 1], 1e-9, state.size());
-        table.rows.push_back(made.rows[k]);
+    for (std::size_t model = 0; model < kinds.size(); ++model) {
+        const Forces forces = models->accelerations(model);
+        std::vector<Cell> row = {state.name, static_cast<double>(state.size()),
+                                 contenders()[model].name, contenders()[model].group};
+        for (const std::size_t parallel : {0, 1})
+            row.emplace_back(per_particle(times[2 * model + parallel], 1e-9, state.size()));
+        for (const Cell& error : known != nullptr ? errors_of(*known, forces) : no_errors)
+            row.push_back(error);
+        row.emplace_back(net_part(forces));
+        table.rows.push_back(row);
     }
 }
 

@@ -3,7 +3,7 @@
 // and densities with the kernel's slopes, which every SPH step has and which are not part of the
 // time: ours classifies, samples, and finds normals, curvature and forces of the surface; rivals
 // find what their formula needs (color field, normals) and sum over all pairs. All run as sph/ has
-// them, eight neighbors at a time in float.
+// them, eight neighbors at a time in float, for the widest instruction set of the machine.
 //
 // The truth on a shape: the force points along the inward normal, is proportional to the curvature,
 // is zero inside, and sums up to zero. Strengths have no unit in common, so each model is scaled to
