@@ -1,0 +1,24 @@
+// The loops over particles of what is compared: all methods share their work among threads in the
+// same way.
+#pragma once
+
+#include <meniscus/runtime/parallel_loop.hpp>
+
+namespace meniscus {
+
+/// Calls use(loop) with the runtime's loop for so many threads.
+template <class Use>
+void with_loop(int threads, const Use& use) {
+    if (threads == 1)
+        use(SerialLoop{});
+    else
+        use(OpenMpLoop{threads});
+}
+
+/// Calls body(begin, end, worker) over all indices below `count`.
+template <class Body>
+void over_particles(std::size_t count, int threads, const Body& body) {
+    with_loop(threads, [&](const auto& loop) { loop(count, body); });
+}
+
+} // namespace meniscus
