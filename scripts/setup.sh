@@ -7,7 +7,7 @@ build_packages=(
     cmake g++ ninja-build
     libcli11-dev libfmt-dev libhdf5-dev libhwy-dev libssl-dev libtorch-dev zlib1g-dev
     nlohmann-json3-dev)
-test_packages=(clang libbenchmark-dev libclang-rt-dev libeigen3-dev libgtest-dev python3-numpy python3-vtk9)
+test_packages=(clang libbenchmark-dev libclang-rt-dev libeigen3-dev libgtest-dev libqhull-dev python3-numpy python3-vtk9)
 
 wanted=("${build_packages[@]}")
 [ "${1:-all}" = build ] || wanted+=("${test_packages[@]}")
