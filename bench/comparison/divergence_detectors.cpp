@@ -22,10 +22,9 @@ namespace {
 /// Sets the entry of each particle whose divergence is below the threshold.
 template <class Real, int Dimension, class Loop>
 void find_outer(const FluidState<Real>& state, double threshold, const Loop& loop,
-                std::vector<Row<Real>>& rows, std::vector<std::uint8_t>& outer) {
+                std::vector<std::uint8_t>& outer) {
     outer.resize(state.size());
-    copy_rows(state, loop, rows);
-    const GradientSums<Real, Dimension> sums{state, rows.data()};
+    const GradientSums<Real, Dimension> sums{state};
     const auto limit = static_cast<Real>(threshold);
     loop(state.size(), [&](std::size_t begin, std::size_t end, int) {
         for (std::size_t i = begin; i < end; ++i)
@@ -35,27 +34,28 @@ void find_outer(const FluidState<Real>& state, double threshold, const Loop& loo
 
 template <class Real, int Dimension>
 Detection detect_by_divergence(const FluidState<Real>& state, int threads, double threshold) {
-    auto rows = std::make_shared<std::vector<Row<Real>>>();
-    return [&state, threads, threshold, rows](std::vector<std::uint8_t>& surface) {
-        find_outer<Real, Dimension>(state, threshold, OpenMpLoop{threads}, *rows, surface);
+    return [&state, threads, threshold](std::vector<std::uint8_t>& surface) {
+        find_outer<Real, Dimension>(state, threshold, OpenMpLoop{threads}, surface);
     };
 }
 
 /// Adds the particles that have one of `outer` within half the support radius.
-template <class Real, class Loop>
-void add_second_layer(const FluidState<Real>& state, const Row<Real>* rows,
-                      const std::vector<std::uint8_t>& outer, const Loop& loop,
-                      std::vector<std::uint8_t>& surface) {
+template <class Real, int Dimension, class Loop>
+void add_second_layer(const FluidState<Real>& state, const std::vector<std::uint8_t>& outer,
+                      const Loop& loop, std::vector<std::uint8_t>& surface) {
     const Real length_squared = state.support_radius * state.support_radius / 4;
+    const Real* x = state.positions.data();
     const auto has_outer_neighbor = [&](std::size_t i) {
         for (std::size_t n = state.lists.offsets[i]; n < state.lists.offsets[i + 1]; ++n) {
-            const std::uint32_t j = state.lists.neighbors[n];
+            const std::size_t j = state.lists.neighbors[n];
             if (outer[j] == 0)
                 continue;
-            const Real x = rows[j].x - rows[i].x;
-            const Real y = rows[j].y - rows[i].y;
-            const Real z = rows[j].z - rows[i].z;
-            if (x * x + y * y + z * z < length_squared)
+            Real squared = 0;
+            for (std::size_t axis = 0; axis < Dimension; ++axis) {
+                const Real step = x[Dimension * j + axis] - x[Dimension * i + axis];
+                squared += step * step;
+            }
+            if (squared < length_squared)
                 return true;
         }
         return false;
@@ -68,13 +68,12 @@ void add_second_layer(const FluidState<Real>& state, const Row<Real>* rows,
 
 template <class Real, int Dimension>
 Detection detect_two_layers(const FluidState<Real>& state, int threads, double threshold) {
-    auto rows = std::make_shared<std::vector<Row<Real>>>();
     auto outer = std::make_shared<std::vector<std::uint8_t>>();
-    return [&state, threads, threshold, rows, outer](std::vector<std::uint8_t>& surface) {
+    return [&state, threads, threshold, outer](std::vector<std::uint8_t>& surface) {
         const OpenMpLoop loop{threads};
         surface.resize(state.size());
-        find_outer<Real, Dimension>(state, threshold, loop, *rows, *outer);
-        add_second_layer(state, rows->data(), *outer, loop, surface);
+        find_outer<Real, Dimension>(state, threshold, loop, *outer);
+        add_second_layer<Real, Dimension>(state, *outer, loop, surface);
     };
 }
 

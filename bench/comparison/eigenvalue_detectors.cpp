@@ -50,12 +50,10 @@ bool all_eigenvalues_above(Real limit, const SquareMatrix<Real, 3>& m) {
 
 template <class Real, int Dimension>
 Detection detect_by_eigenvalue(const FluidState<Real>& state, int threads) {
-    auto rows = std::make_shared<std::vector<Row<Real>>>();
-    return [&state, threads, rows](std::vector<std::uint8_t>& surface) {
+    return [&state, threads](std::vector<std::uint8_t>& surface) {
         const OpenMpLoop loop{threads};
         surface.resize(state.size());
-        copy_rows(state, loop, *rows);
-        const GradientSums<Real, Dimension> sums{state, rows->data()};
+        const GradientSums<Real, Dimension> sums{state};
         loop(state.size(), [&](std::size_t begin, std::size_t end, int) {
             for (std::size_t i = begin; i < end; ++i) {
                 const auto matrix = renormalization_matrix(sums, i);
@@ -68,21 +66,18 @@ Detection detect_by_eigenvalue(const FluidState<Real>& state, int threads) {
 
 /// Whether a neighbor of particle i lies in the umbrella that opens along `outward`.
 template <class Real, int Dimension>
-bool is_covered(const FluidState<Real>& state, const Row<Real>* rows, std::size_t i,
+bool is_covered(const FluidState<Real>& state, std::size_t i,
                 const Vector<Real, Dimension>& outward) {
     const Real norm = outward.norm();
     if (!(norm > 0))
         return false;
     const Vector<Real, Dimension> normal = outward / norm;
     const Real length = state.support_radius / 2;
-    const Row<Real> own = rows[i];
+    using Place = Eigen::Map<const Vector<Real, Dimension>>;
+    const Place own(state.positions.data() + Dimension * i);
     for (std::size_t n = state.lists.offsets[i]; n < state.lists.offsets[i + 1]; ++n) {
-        const Row<Real>& other = rows[state.lists.neighbors[n]];
-        Vector<Real, Dimension> step;
-        step[0] = other.x - own.x;
-        step[1] = other.y - own.y;
-        if constexpr (Dimension == 3)
-            step[2] = other.z - own.z;
+        const std::size_t j = state.lists.neighbors[n];
+        const Vector<Real, Dimension> step = Place(state.positions.data() + Dimension * j) - own;
         const Real squared = step.squaredNorm();
         const Real height = step.dot(normal);
         if (height <= 0)
@@ -99,20 +94,18 @@ bool is_covered(const FluidState<Real>& state, const Row<Real>* rows, std::size_
 /// Both steps in one pass, with the normal from the gradient of the constant 1.
 template <class Real, int Dimension>
 Detection detect_by_umbrella(const FluidState<Real>& state, int threads) {
-    auto rows = std::make_shared<std::vector<Row<Real>>>();
-    return [&state, threads, rows](std::vector<std::uint8_t>& surface) {
+    return [&state, threads](std::vector<std::uint8_t>& surface) {
         const OpenMpLoop loop{threads};
         surface.resize(state.size());
-        copy_rows(state, loop, *rows);
-        const GradientSums<Real, Dimension> sums{state, rows->data()};
+        const GradientSums<Real, Dimension> sums{state};
         const auto is_surface = [&](std::size_t i) {
             const auto around =
-                renormalization(sums, i, [](const auto&) { return all_lanes_of<Real>(1); });
+                renormalization(sums, i, [](const auto&) { return pack_of(Real(1)); });
             if (all_eigenvalues_above(static_cast<Real>(certain_interior), around.matrix))
                 return false;
             if (!all_eigenvalues_above(static_cast<Real>(certain_surface), around.matrix))
                 return true;
-            return !is_covered<Real, Dimension>(state, rows->data(), i,
+            return !is_covered<Real, Dimension>(state, i,
                                                 around.matrix.inverse() * -around.gradient);
         };
         loop(state.size(), [&](std::size_t begin, std::size_t end, int) {
@@ -125,14 +118,12 @@ Detection detect_by_umbrella(const FluidState<Real>& state, int threads) {
 /// Two passes: the eigenvalues of all, then the normals and the umbrellas of those in between.
 template <class Real, int Dimension>
 Detection detect_by_eigenvalue_gradient(const FluidState<Real>& state, int threads) {
-    auto rows = std::make_shared<std::vector<Row<Real>>>();
     auto eigenvalues = std::make_shared<std::vector<Real>>();
-    return [&state, threads, rows, eigenvalues](std::vector<std::uint8_t>& surface) {
+    return [&state, threads, eigenvalues](std::vector<std::uint8_t>& surface) {
         const OpenMpLoop loop{threads};
         surface.resize(state.size());
         eigenvalues->resize(state.size());
-        copy_rows(state, loop, *rows);
-        const GradientSums<Real, Dimension> sums{state, rows->data()};
+        const GradientSums<Real, Dimension> sums{state};
         Real* lambda = eigenvalues->data();
         loop(state.size(), [&](std::size_t begin, std::size_t end, int) {
             for (std::size_t i = begin; i < end; ++i)
@@ -146,7 +137,7 @@ Detection detect_by_eigenvalue_gradient(const FluidState<Real>& state, int threa
             const auto around = renormalization(sums, i, [&](const auto& pairs) {
                 return gather(lambda, pairs.index) - lambda[i];
             });
-            return !is_covered<Real, Dimension>(state, rows->data(), i,
+            return !is_covered<Real, Dimension>(state, i,
                                                 around.matrix.inverse() * -around.gradient);
         };
         loop(state.size(), [&](std::size_t begin, std::size_t end, int) {

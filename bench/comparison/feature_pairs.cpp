@@ -218,18 +218,15 @@ Errors errors_of(const View& view, const Candidate& candidate) {
 std::vector<RepeatedTime> times_of(const std::vector<FluidState<float>>& states,
                                    const std::vector<Candidate>& all,
                                    const TimingOptions& options) {
-    std::vector<std::vector<Row<float>>> rows(states.size());
     std::vector<FeatureArrays> features(states.size());
     double particles = 0;
-    for (std::size_t s = 0; s < states.size(); ++s) {
-        copy_rows(states[s], SerialLoop{}, rows[s]);
-        particles += static_cast<double>(states[s].size());
-    }
+    for (const auto& state : states)
+        particles += static_cast<double>(state.size());
     std::vector<Timed> timed;
     for (const Candidate& candidate : all)
-        timed.push_back({[&states, &rows, &features, a = candidate.a, b = candidate.b] {
+        timed.push_back({[&states, &features, a = candidate.a, b = candidate.b] {
             for (std::size_t s = 0; s < states.size(); ++s)
-                find_features(states[s], rows[s].data(), a, b, features[s]);
+                find_features(states[s], a, b, features[s]);
         }});
     auto times = measure(timed, options);
     const double scale = 1e9 / particles;

@@ -2,7 +2,7 @@
 // them by one pass over given lists: what a line could be drawn in.
 #pragma once
 
-#include "comparison/neighbor_lanes.hpp"
+#include "comparison/fluid_state.hpp"
 
 #include <array>
 
@@ -28,9 +28,8 @@ const char* feature_name(Feature feature);
 using FeatureArrays = std::array<std::vector<float>, feature_count>;
 
 /// Sets the arrays of both features (which may be the same one), in one pass; other arrays stay as
-/// they are. `rows` are those of copy_rows().
-void find_features(const FluidState<float>& state, const Row<float>* rows, Feature a, Feature b,
-                   FeatureArrays& features);
+/// they are.
+void find_features(const FluidState<float>& state, Feature a, Feature b, FeatureArrays& features);
 
 /// Sets all of them.
 FeatureArrays all_features(const FluidState<float>& state);

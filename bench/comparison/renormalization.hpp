@@ -5,17 +5,53 @@
 // cubic spline that ends at the support radius, as it is for the volumes.
 #pragma once
 
-#include "comparison/neighbor_lanes.hpp"
+#include "comparison/neighbor_packs.hpp"
+
+#include <meniscus/runtime/angles.hpp>
 
 #include <Eigen/Eigenvalues>
 
 namespace meniscus {
 
+/// The cubic spline of radius 1 (Monaghan 1992) for squared distances.
+template <class Real, int Dimension>
+struct SplinePack {
+    static constexpr Real scale = static_cast<Real>(Dimension == 2 ? 40 / (7 * pi) : 8 / pi);
+
+    /// What its two pieces have in common: 1 - q and 1/2 - q, at least 0.
+    struct Pieces {
+        Pack<Real> distance;
+        Pack<Real> outer;
+        Pack<Real> inner;
+    };
+
+    MENISCUS_INLINE static Pieces pieces(const Pack<Real>& distance_squared) {
+        const Pack<Real> zero{};
+        const Pack<Real> distance = square_root<Real>(distance_squared);
+        const Pack<Real> outer = Real(1) - distance;
+        const Pack<Real> inner = Real(0.5) - distance;
+        return {distance, outer > zero ? outer : zero, inner > zero ? inner : zero};
+    }
+
+    MENISCUS_INLINE static Pack<Real> value(const Pack<Real>& distance_squared) {
+        const Pieces p = pieces(distance_squared);
+        return (2 * scale) * (p.outer * p.outer * p.outer) -
+               (8 * scale) * (p.inner * p.inner * p.inner);
+    }
+
+    /// -W'(q) / q, not negative; 0 where q is 0.
+    MENISCUS_INLINE static Pack<Real> slope(const Pack<Real>& distance_squared) {
+        const Pieces p = pieces(distance_squared);
+        const Pack<Real> least = pack_of(Real(1e-6));
+        return ((6 * scale) * (p.outer * p.outer) - (24 * scale) * (p.inner * p.inner)) /
+               (p.distance > least ? p.distance : least);
+    }
+};
+
 /// What all particles of a state share.
 template <class Real, int Dimension>
 struct GradientSums {
     const FluidState<Real>& state;
-    const Row<Real>* rows; ///< copy_rows()
     Real per_radius_squared = 1 / (state.support_radius * state.support_radius);
     /// V_j over h^(D + 2), by which W'(q) / q of the kernel of radius 1 becomes V_j W' / r.
     Real scale =
@@ -26,10 +62,8 @@ struct GradientSums {
     /// Calls add(pairs, slope), V_j grad_i W_ij being scale * slope * step, slopes not negative.
     template <class Add>
     MENISCUS_INLINE void visit(std::size_t i, Add&& add) const {
-        const CubicSpline<Real, Dimension> kernel;
-        visit_eights<Dimension>(rows, state.lists, i, [&](const PairLanes<Real, Dimension>& pairs) {
-            const Lanes<Real> slope = -kernel.gradient(pairs.squared * per_radius_squared);
-            add(pairs, slope);
+        visit_packs<Dimension>(state, i, [&](const PairPack<Real, Dimension>& pairs) {
+            add(pairs, SplinePack<Real, Dimension>::slope(pairs.squared * per_radius_squared));
         });
     }
 };
@@ -43,19 +77,19 @@ using Vector = Eigen::Matrix<Real, Dimension, 1>;
 template <class Real, int Dimension>
 struct Renormalization {
     SquareMatrix<Real, Dimension> matrix;
-    Vector<Real, Dimension> gradient; ///< sum_j f_j V_j grad W_ij, f_j the given lanes
+    Vector<Real, Dimension> gradient; ///< sum_j f_j V_j grad W_ij, f_j what `values` says
 };
 
-/// Of particle i. `values(pairs)` is f at eight neighbors.
+/// Of particle i. `values(pairs)` is f at the neighbors.
 template <class Real, int Dimension, class Values>
 MENISCUS_INLINE Renormalization<Real, Dimension>
 renormalization(const GradientSums<Real, Dimension>& sums, std::size_t i, Values&& values) {
-    Lanes<Real> matrix[Dimension][Dimension] = {};
-    Lanes<Real> gradient[Dimension] = {};
-    sums.visit(i, [&](const auto& pairs, const Lanes<Real>& slope) {
-        const Lanes<Real> value = values(pairs);
+    Pack<Real> matrix[Dimension][Dimension] = {};
+    Pack<Real> gradient[Dimension] = {};
+    sums.visit(i, [&](const auto& pairs, const Pack<Real>& slope) {
+        const Pack<Real> value = values(pairs);
         for (int row = 0; row < Dimension; ++row) {
-            const Lanes<Real> along = slope * pairs.step[row];
+            const Pack<Real> along = slope * pairs.step[row];
             gradient[row] += value * along;
             for (int column = 0; column <= row; ++column)
                 matrix[row][column] += along * pairs.step[column];
@@ -63,10 +97,10 @@ renormalization(const GradientSums<Real, Dimension>& sums, std::size_t i, Values
     });
     Renormalization<Real, Dimension> result;
     for (int row = 0; row < Dimension; ++row) {
-        result.gradient[row] = sums.scale * sum_of_lanes<Real>(gradient[row]);
+        result.gradient[row] = sums.scale * sum_of<Real>(gradient[row]);
         for (int column = 0; column <= row; ++column)
             result.matrix(row, column) = result.matrix(column, row) =
-                sums.scale * sum_of_lanes<Real>(matrix[row][column]);
+                sums.scale * sum_of<Real>(matrix[row][column]);
     }
     return result;
 }
@@ -75,16 +109,16 @@ renormalization(const GradientSums<Real, Dimension>& sums, std::size_t i, Values
 template <class Real, int Dimension>
 MENISCUS_INLINE SquareMatrix<Real, Dimension>
 renormalization_matrix(const GradientSums<Real, Dimension>& sums, std::size_t i) {
-    return renormalization(sums, i, [](const auto&) { return Lanes<Real>{}; }).matrix;
+    return renormalization(sums, i, [](const auto&) { return Pack<Real>{}; }).matrix;
 }
 
 /// The trace of M, the divergence of position: the dimension where neighbors lie all around.
 template <class Real, int Dimension>
 MENISCUS_INLINE Real position_divergence(const GradientSums<Real, Dimension>& sums, std::size_t i) {
-    Lanes<Real> total{};
-    sums.visit(
-        i, [&](const auto& pairs, const Lanes<Real>& slope) { total += slope * pairs.squared; });
-    return sums.scale * sum_of_lanes<Real>(total);
+    Pack<Real> total{};
+    sums.visit(i,
+               [&](const auto& pairs, const Pack<Real>& slope) { total += slope * pairs.squared; });
+    return sums.scale * sum_of<Real>(total);
 }
 
 /// Of a symmetric matrix, in closed form.

@@ -2,7 +2,6 @@
 #include "comparison/renormalization.hpp"
 
 #include <meniscus/runtime/angles.hpp>
-#include <meniscus/runtime/parallel_loop.hpp>
 
 #include <gtest/gtest.h>
 
@@ -73,12 +72,9 @@ int layer(const std::array<double, 3>& position, int edge, int dimension) {
 template <class Real, int Dimension>
 struct Sums {
     FluidState<Real> state;
-    std::vector<Row<Real>> rows;
 
-    explicit Sums(const Positions& positions) : state(made_state<Real>(positions, Dimension)) {
-        copy_rows(state, SerialLoop{}, rows);
-    }
-    [[nodiscard]] GradientSums<Real, Dimension> gradients() const { return {state, rows.data()}; }
+    explicit Sums(const Positions& positions) : state(made_state<Real>(positions, Dimension)) {}
+    [[nodiscard]] GradientSums<Real, Dimension> gradients() const { return {state}; }
 };
 
 template <class Real>
@@ -103,8 +99,8 @@ TYPED_TEST(RenormalizationTest, TwoParticlesByHand) {
 
 TYPED_TEST(RenormalizationTest, GradientPointsToTheNeighbor) {
     const Sums<TypeParam, 3> sums({{5, 5, 5}, {5, 4, 5}});
-    const auto around = renormalization(sums.gradients(), 0,
-                                        [](const auto&) { return all_lanes_of<TypeParam>(2); });
+    const auto around =
+        renormalization(sums.gradients(), 0, [](const auto&) { return pack_of<TypeParam>(2); });
     // 2 V W' / h^4, the divergence of the pair over its distance, twice.
     EXPECT_NEAR(around.gradient[1], -2 * 0.75 * 8 / pi / 8, 1e-6);
     EXPECT_EQ(around.gradient[0], 0);

@@ -1,7 +1,6 @@
 #include "comparison/particle_features.hpp"
 
 #include <meniscus/runtime/angles.hpp>
-#include <meniscus/runtime/parallel_loop.hpp>
 
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
@@ -126,13 +125,10 @@ TEST(ParticleFeaturesTest, EachPairAsAmongAll) {
     for (const int dimension : {2, 3}) {
         const auto state = random_state(dimension, 200);
         const FeatureArrays all = all_features(state);
-        std::vector<Row<float>> rows;
-        copy_rows(state, SerialLoop{}, rows);
         for (std::size_t a = 0; a < feature_count; ++a)
             for (std::size_t b = 0; b < feature_count; ++b) {
                 FeatureArrays pair;
-                find_features(state, rows.data(), static_cast<Feature>(a), static_cast<Feature>(b),
-                              pair);
+                find_features(state, static_cast<Feature>(a), static_cast<Feature>(b), pair);
                 for (std::size_t f = 0; f < feature_count; ++f)
                     EXPECT_EQ(pair[f], f == a || f == b ? all[f] : std::vector<float>());
             }
