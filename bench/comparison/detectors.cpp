@@ -7,7 +7,9 @@ std::vector<Detector<Real>> detectors(int dimension, const std::filesystem::path
     std::vector<Detector<Real>> all;
     add_line_detectors(dimension, models, all);
     add_coverage_detectors(dimension, all);
-    // rivals
+    add_eigenvalue_detectors(dimension, all);
+    add_divergence_detectors(dimension, all);
+    add_visibility_detectors(dimension, all);
     return all;
 }
 
