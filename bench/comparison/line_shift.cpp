@@ -150,7 +150,7 @@ Table line_shift(const LineShiftOptions& options) {
                  {"d", "d"},
                  {"candidates", "candidates", 6},
                  {"false_negatives", "false negatives", 6},
-                 {"wide_false_negatives", "more than 2 % uncovered", 6},
+                 {"false_negatives_plain", "more than 2 % uncovered", 6},
                  {"false_positives", "false positives", 6},
                  {"missed_area", "missed area, %"},
                  {"time_classify", "classification, ns a particle"},

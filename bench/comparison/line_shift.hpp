@@ -23,8 +23,8 @@ struct LineShiftOptions {
 };
 
 /// A row for each state, slope and d. Columns: state, line, k, d; `candidates` (that the line lets
-/// through), `false_negatives` and, of those, `wide_false_negatives` (more than 2 % uncovered), and
-/// `false_positives`, against exact labels; `missed_area` (percent of the summed lambda of all
+/// through), `false_negatives` and, of those, `false_negatives_plain` (more than 2 % uncovered),
+/// and `false_positives`, against exact labels; `missed_area` (percent of the summed lambda of all
 /// surface particles that is on those missed); time_classify and time (of the whole
 /// surface-tension step with this project's options, classification included), ns a particle of the
 /// state on one thread, and time_classify_parallel and time_parallel on `threads` threads. Throws

@@ -59,7 +59,7 @@ TEST(LineShift, FindsMoreAndMissesLess) {
             EXPECT_GT(rises("candidates"), 0);
             EXPECT_GT(rises("false_positives"), 0);
             falls("false_negatives");
-            falls("wide_false_negatives");
+            falls("false_negatives_plain");
             falls("missed_area");
         }
 }
