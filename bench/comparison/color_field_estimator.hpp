@@ -14,6 +14,9 @@
 
 namespace meniscus {
 
+/// Particles that a thread takes at a time: they are few.
+inline constexpr std::size_t estimator_chunk = 8;
+
 template <int Dimension>
 class ColorFieldEstimator {
 public:
@@ -72,10 +75,11 @@ private:
 
     template <class Body>
     static void over(const std::vector<std::size_t>& some, int threads, const Body& body) {
-        over_particles(some.size(), threads, [&](std::size_t begin, std::size_t end, int) {
+        const auto over_some = [&](std::size_t begin, std::size_t end, int /*worker*/) {
             for (std::size_t k = begin; k < end; ++k)
                 body(k, some[k]);
-        });
+        };
+        over_particles(some.size(), threads, over_some, estimator_chunk);
     }
 
     /// Returns the gradient's length.

@@ -144,7 +144,7 @@ Vector3 in_space(const std::array<double, Dimension>& vector) {
 
 template <int Dimension>
 std::vector<Estimate> estimates_of(const Case<Dimension>& some, Estimator& estimator, int threads) {
-    const OpenMpLoop loop{threads};
+    const OpenMpLoop loop{threads, estimator_chunk};
     Work<Dimension> work;
     find_coverage(some, estimator, loop, work);
     std::vector<Estimate> estimates;
@@ -323,15 +323,14 @@ void add_estimator(const Case<Dimension>& some, Estimator& estimator,
     add_row(some, estimator.name, estimator.samples,
             estimates_of(some, estimator, rows.options.threads), rows);
     const auto part = std::make_shared<Case<Dimension>>(part_to_time(some, estimator.samples));
-    time_row(
-        part->surface.size(),
-        [part, &estimator, work](int threads) {
-            with_loop(threads, [&](const auto& loop) {
-                find_coverage(*part, estimator, loop, *work);
-                finish(loop, *work);
-            });
-        },
-        rows);
+    const auto run = [part, &estimator, work](int threads) {
+        const auto find = [&](const auto& loop) {
+            find_coverage(*part, estimator, loop, *work);
+            finish(loop, *work);
+        };
+        with_loop(threads, find, estimator_chunk);
+    };
+    time_row(part->surface.size(), run, rows);
 }
 
 template <int Dimension>
@@ -406,19 +405,18 @@ Table coverage_estimators(const EstimatorOptions& options) {
                  {"time", "us a surface particle, 1 thread"},
                  {"time_parallel", std::to_string(options.threads) + " threads"}},
                 {}};
-    std::vector<KnownState<double>> in_space;
-    in_space.push_back(known_state<double>("ball", sphere(options.ball_radius)));
-    in_space.push_back(
-        known_state<double>("saddle", paraboloid(0.125, 0.125, options.saddle_width)));
+    std::vector<KnownState<double>> solids;
+    solids.push_back(known_state<double>("ball", sphere(options.ball_radius)));
+    solids.push_back(known_state<double>("saddle", paraboloid(0.125, 0.125, options.saddle_width)));
     std::vector<Case<3>> cases;
     if (!options.snapshots.empty())
         cases.push_back(snapshot_case(options.snapshots, options.particles_per_snapshot));
-    for (const auto& known : in_space)
+    for (const auto& known : solids)
         cases.push_back(cloud_case<3>(known));
-    add_cases(cases, in_space, options, table);
-    std::vector<KnownState<double>> in_plane;
-    in_plane.push_back(known_state<double>("disc", circle(options.disc_radius)));
-    add_cases<2>({cloud_case<2>(in_plane[0])}, in_plane, options, table);
+    add_cases(cases, solids, options, table);
+    std::vector<KnownState<double>> discs;
+    discs.push_back(known_state<double>("disc", circle(options.disc_radius)));
+    add_cases<2>({cloud_case<2>(discs[0])}, discs, options, table);
     return table;
 }
 

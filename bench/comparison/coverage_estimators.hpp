@@ -21,6 +21,7 @@
 namespace meniscus {
 
 struct EstimatorOptions {
+    /// Each at least 4.
     std::vector<std::size_t> samples = {10, 30, 100, 300, 1000, 3000, 10000, 30000, 100000};
     /// In 3D, with a support radius: lambda is measured on so many particles of each, too.
     std::vector<std::filesystem::path> snapshots;

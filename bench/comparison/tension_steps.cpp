@@ -42,6 +42,13 @@ Contender ours_exact() {
     return made;
 }
 
+/// Candidates that no sample finds uncovered are dropped.
+Contender ours_unverified() {
+    Contender made = ours("128 samples, not verified");
+    made.kind.options.verify = false;
+    return made;
+}
+
 Contender ours_unbalanced() {
     Contender made = ours("128 samples, momentum not balanced");
     made.kind.options.balance_momentum = false;
@@ -69,6 +76,7 @@ const std::vector<Contender>& contenders() {
         ours_with_samples(32),
         ours_with_samples(128),
         ours_exact(),
+        ours_unverified(),
         ours_unbalanced(),
         paper(),
         rival("Becker and Teschner 2007", TensionModel::becker_2007),

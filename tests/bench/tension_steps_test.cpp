@@ -80,7 +80,7 @@ const char* const rivals[] = {"Becker and Teschner 2007", "Huber et al. 2015", "
 TEST(TensionSteps, FillTheWholeTable) {
     expect_whole(small_table());
     for (const char* const state : {"ball", "ellipsoid", "droplet_iisph_06"})
-        EXPECT_EQ(rows_with(small_table(), {{"state", state}}).size(), 11U);
+        EXPECT_EQ(rows_with(small_table(), {{"state", state}}).size(), 12U);
 }
 
 TEST(TensionSteps, PullNothingInsideWhereOurs) {
