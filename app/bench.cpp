@@ -1,8 +1,12 @@
 // meniscus bench: speed against error, of this project and of what others use, on this machine.
 #include "shipped_files.hpp"
 
+#include "comparison/coverage_estimators.hpp"
 #include "comparison/detector_comparison.hpp"
+#include "comparison/feature_pairs.hpp"
+#include "comparison/line_shift.hpp"
 #include "comparison/plot.hpp"
+#include "comparison/tension_steps.hpp"
 
 #include <meniscus/data/errors.hpp>
 #include <meniscus/data/snapshot_files.hpp>
@@ -30,23 +34,37 @@ struct Bench {
     const BenchCommand& command;
     int threads;
     Path models;
-    std::vector<FluidState<float>> states;
+    std::vector<Path> files;
+    std::vector<FluidState<float>> states; ///< of the files
     std::vector<Table> tables;
 
+    /// Prints the table, writes it and draws its plots.
     void add(Table table, const std::vector<Plot>& plots) {
-        for (const Plot& plot : plots)
-            draw(table, plot, command.folder);
+        std::string text = markdown(table);
         if (!command.quiet)
-            fmt::print("\n{}\n\n{}", table.title, markdown(table));
+            fmt::print("\n{}\n\n{}", table.title, text);
         std::fflush(stdout);
+        for (const Plot& plot : plots) {
+            draw(table, plot, command.folder);
+            text += fmt::format("\n![{}]({})\n", plot.title, plot.file);
+        }
+        const WriteGuard guard;
+        write_whole(command.folder / (table.name + ".md"), text);
         tables.push_back(std::move(table));
     }
 
     [[nodiscard]] std::vector<FluidState<float>> states_of(int dimension) const {
         std::vector<FluidState<float>> some;
-        for (const auto& state : states)
-            if (state.dimension == dimension)
-                some.push_back(state);
+        std::copy_if(states.begin(), states.end(), std::back_inserter(some),
+                     [&](const auto& state) { return state.dimension == dimension; });
+        return some;
+    }
+
+    [[nodiscard]] std::vector<Path> files_in_3d() const {
+        std::vector<Path> some;
+        for (std::size_t k = 0; k < files.size(); ++k)
+            if (states[k].dimension == 3)
+                some.push_back(files[k]);
         return some;
     }
 };
@@ -67,6 +85,72 @@ void bench_detectors(Bench& bench) {
     }
 }
 
+void bench_features(Bench& bench) {
+    for (const int dimension : {3, 2}) {
+        const auto states = bench.states_of(dimension);
+        if (states.empty())
+            continue;
+        FeaturePairOptions options;
+        options.threads = bench.threads;
+        options.timing = bench.command.timing;
+        Table table = feature_pairs(states, options);
+        table.name = fmt::format("features_{}d", dimension);
+        Plot plot{table.name + ".svg", table.title, "time", "false_positive_rate", "kind"};
+        plot.label = "number";
+        bench.add(std::move(table), {plot});
+    }
+}
+
+void bench_coverage(Bench& bench) {
+    EstimatorOptions options;
+    options.snapshots = bench.files_in_3d();
+    options.threads = bench.threads;
+    options.timing.repetitions = bench.command.timing.repetitions;
+    Table table = coverage_estimators(options);
+    std::vector<Plot> plots;
+    for (const char* error : {"lambda", "normal", "curvature"}) {
+        Plot plot{fmt::format("{}_{}.svg", table.name, error), table.title, "time", error,
+                  "estimator"};
+        plot.panel = "case";
+        plot.joined = true;
+        plots.push_back(plot);
+    }
+    bench.add(std::move(table), plots);
+}
+
+void bench_line(Bench& bench) {
+    LineShiftOptions options;
+    for (const Path& sample : sample_snapshots())
+        if (sample.stem() == "droplet_iisph_04")
+            options.double_droplet = sample;
+    options.published_model = bench.models / "splishsplash_d12.json";
+    options.threads = bench.threads;
+    options.timing = bench.command.timing;
+    Table table = line_shift(options);
+    std::vector<Plot> plots;
+    for (const char* figure : {"candidates", "false_negatives", "time"}) {
+        Plot plot{fmt::format("{}_{}.svg", table.name, figure), table.title, "d", figure, "line"};
+        plot.panel = "state";
+        plot.joined = true;
+        plot.logarithmic_x = false;
+        plot.logarithmic_y = plot.y == "false_negatives";
+        plots.push_back(plot);
+    }
+    bench.add(std::move(table), plots);
+}
+
+void bench_steps(Bench& bench) {
+    TensionStepOptions options;
+    options.snapshots = bench.files_in_3d();
+    options.threads = bench.threads;
+    options.timing = bench.command.timing;
+    Table table = tension_steps(options);
+    Plot plot{table.name + ".svg", table.title, "time", "angle", "group"};
+    plot.label = "model";
+    plot.panel = "state";
+    bench.add(std::move(table), {plot});
+}
+
 struct NamedTable {
     const char* name;
     const char* what;
@@ -75,6 +159,10 @@ struct NamedTable {
 
 constexpr NamedTable known_tables[] = {
     {"detectors", "surface detectors of this project and of others", bench_detectors},
+    {"features", "lines in the plane of any two features", bench_features},
+    {"coverage", "uncovered part, normal and curvature by samples", bench_coverage},
+    {"line", "what shifting the line does", bench_line},
+    {"steps", "whole surface-tension steps", bench_steps},
 };
 
 std::string table_names() {
@@ -125,9 +213,10 @@ void run_bench(const BenchCommand& command) {
     Bench bench{command,
                 command.threads > 0 ? command.threads : omp_get_max_threads(),
                 shipped_models(),
+                command.inputs.empty() ? sample_snapshots() : command.inputs,
                 {},
                 {}};
-    for (const Path& file : command.inputs.empty() ? sample_snapshots() : command.inputs)
+    for (const Path& file : bench.files)
         bench.states.push_back(read_fluid_state<float>(file));
     if (!command.quiet)
         print_machine(bench);
@@ -143,7 +232,8 @@ void add_bench(CLI::App& command) {
     auto options = std::make_shared<BenchCommand>();
     auto* verb = command.add_subcommand(
         "bench", "Measure speed against error, of this project's methods and of others', on this "
-                 "machine: tables, DIR/speed_against_error.json, and plots as DIR/*.svg");
+                 "machine: tables as DIR/*.md, plots as DIR/*.svg, and all figures in "
+                 "DIR/speed_against_error.json");
     verb->add_option("INPUT", options->inputs,
                      "Snapshots that store their support radius; without any, those that come with "
                      "the project");

@@ -74,6 +74,8 @@ struct Row {
 
 Table empty_table(int dimension, int threads) {
     const std::string name = std::to_string(dimension) + "d";
+    const std::string parallel =
+        threads > 1 ? std::to_string(threads) + " threads" : "more threads: not measured";
     return {"detectors_" + name,
             "Surface detectors in " + std::to_string(dimension) + "D",
             {{"number", "no."},
@@ -84,7 +86,7 @@ Table empty_table(int dimension, int threads) {
              {"missed_area", "missed area, %", 2},
              {"false_positive_rate", "false positives, %"},
              {"time", "ns a particle, 1 thread"},
-             {"time_parallel", "ns a particle, " + std::to_string(threads) + " threads"},
+             {"time_parallel", "ns a particle, " + parallel},
              {"source", "source"}},
             {}};
 }
