@@ -12,7 +12,9 @@
 #include <meniscus/data/snapshot_files.hpp>
 #include <meniscus/version.hpp>
 
+#include <algorithm>
 #include <fmt/format.h>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <omp.h>
@@ -67,6 +69,27 @@ struct Bench {
                 some.push_back(files[k]);
         return some;
     }
+
+    /// The largest state of each of the three largest scenes.
+    [[nodiscard]] std::vector<Path> large_files_in_3d() const {
+        std::map<std::string, std::size_t> of_scene; // index of its largest state
+        for (std::size_t k = 0; k < files.size(); ++k)
+            if (states[k].dimension == 3) {
+                auto& largest = of_scene.emplace(states[k].scene, k).first->second;
+                largest = states[k].size() >= states[largest].size() ? k : largest;
+            }
+        std::vector<std::size_t> largest;
+        for (const auto& [scene, k] : of_scene)
+            largest.push_back(k);
+        std::sort(largest.begin(), largest.end(), [&](std::size_t a, std::size_t b) {
+            return states[a].size() > states[b].size();
+        });
+        largest.resize(std::min<std::size_t>(largest.size(), 3));
+        std::vector<Path> some;
+        for (const std::size_t k : largest)
+            some.push_back(files[k]);
+        return some;
+    }
 };
 
 void bench_detectors(Bench& bench) {
@@ -76,6 +99,7 @@ void bench_detectors(Bench& bench) {
             continue;
         Table table = compare_detectors(states, detectors<float>(dimension, bench.models),
                                         bench.threads, bench.command.timing);
+        number_rows(table);
         Plot missed{table.name + "_missed.svg", table.title + ": what they miss", "time",
                     "false_negatives", "group"};
         Plot let_through{table.name + "_let_through.svg", table.title + ": what they let through",
@@ -95,6 +119,7 @@ void bench_features(Bench& bench) {
         options.timing = bench.command.timing;
         Table table = feature_pairs(states, options);
         table.name = fmt::format("features_{}d", dimension);
+        number_rows(table);
         Plot plot{table.name + ".svg", table.title, "time", "false_positive_rate", "kind"};
         plot.label = "number";
         bench.add(std::move(table), {plot});
@@ -107,6 +132,7 @@ void bench_coverage(Bench& bench) {
     options.threads = bench.threads;
     options.timing.repetitions = bench.command.timing.repetitions;
     Table table = coverage_estimators(options);
+    mark_best(table, {"time", "lost", "normal", "curvature"}, "case");
     std::vector<Plot> plots;
     for (const char* error : {"lambda", "normal", "curvature"}) {
         Plot plot{fmt::format("{}_{}.svg", table.name, error), table.title, "time", error,
@@ -127,6 +153,7 @@ void bench_line(Bench& bench) {
     options.threads = bench.threads;
     options.timing = bench.command.timing;
     Table table = line_shift(options);
+    mark_best(table, {"time", "false_negatives"}, "state");
     std::vector<Plot> plots;
     for (const char* figure : {"candidates", "false_negatives", "time"}) {
         Plot plot{fmt::format("{}_{}.svg", table.name, figure), table.title, "d", figure, "line"};
@@ -141,12 +168,14 @@ void bench_line(Bench& bench) {
 
 void bench_steps(Bench& bench) {
     TensionStepOptions options;
-    options.snapshots = bench.files_in_3d();
+    options.snapshots = bench.large_files_in_3d();
     options.threads = bench.threads;
     options.timing = bench.command.timing;
     Table table = tension_steps(options);
+    mark_best(table, {"time", "angle", "local_scatter", "inside"}, "state");
+    number_rows(table, "state");
     Plot plot{table.name + ".svg", table.title, "time", "angle", "group"};
-    plot.label = "model";
+    plot.label = "number";
     plot.panel = "state";
     bench.add(std::move(table), {plot});
 }
@@ -175,7 +204,8 @@ std::string table_names() {
 void write_report(const Bench& bench) {
     nlohmann::json inputs = nlohmann::json::array();
     for (const auto& state : bench.states)
-        inputs.push_back({{"name", state.name}, {"scene", state.scene}, {"size", state.size()}});
+        inputs.push_back(
+            {{"name", state.name}, {"scene", state.scene}, {"particles", state.size()}});
     nlohmann::json tables = nlohmann::json::array();
     for (const Table& table : bench.tables)
         tables.push_back(to_json(table));

@@ -78,8 +78,7 @@ Table empty_table(int dimension, int threads) {
         threads > 1 ? std::to_string(threads) + " threads" : "more threads: not measured";
     return {"detectors_" + name,
             "Surface detectors in " + std::to_string(dimension) + "D",
-            {{"number", "no."},
-             {"detector", "detector"},
+            {{"detector", "detector"},
              {"group", "group"},
              {"false_negatives", "false negatives", 9},
              {"false_negatives_plain", "of them over 2 % uncovered", 9},
@@ -122,11 +121,10 @@ Table compare_detectors(const std::vector<FluidState<float>>& states,
         Cell parallel_time;
         if (parallel)
             parallel_time = per_particle(times[*parallel], particles);
-        table.rows.push_back({std::to_string(d + 1), all[d].name, all[d].group,
-                              static_cast<double>(errors.false_negatives),
-                              static_cast<double>(errors.plain_ones), errors.missed_area,
-                              errors.false_positive_rate, per_particle(times[serial], particles),
-                              parallel_time, all[d].source});
+        table.rows.push_back(
+            {all[d].name, all[d].group, static_cast<double>(errors.false_negatives),
+             static_cast<double>(errors.plain_ones), errors.missed_area, errors.false_positive_rate,
+             per_particle(times[serial], particles), parallel_time, all[d].source});
     }
     mark_best(table, {"time", "false_negatives", "false_positive_rate"});
     return table;
