@@ -219,17 +219,18 @@ void write_report(const Bench& bench) {
     write_whole(bench.command.folder / "speed_against_error.json", report.dump(1) + "\n");
 }
 
-void print_machine(const Bench& bench) {
-    const auto about = machine();
+/// What the figures belong to, for whoever reads the tables.
+std::string about(const Bench& bench) {
+    const auto of = machine();
     std::size_t particles = 0;
     for (const auto& state : bench.states)
         particles += state.size();
-    fmt::print("{}, {} cores ({}); {}, {}; medians of {} runs and their quartiles; {} states, {} "
-               "particles\n",
-               about["processor"].get<std::string>(), about["cores"].get<int>(),
-               about["caches"].get<std::string>(), about["compiler"].get<std::string>(),
-               about["build"].get<std::string>(), bench.command.timing.repetitions,
-               bench.states.size(), particles);
+    return fmt::format("{}, {} cores ({}); {}, {}; labels with {}; medians of {} runs and their "
+                       "quartiles, of 3 runs where one is long; {} states, {} particles\n",
+                       of["processor"].get<std::string>(), of["cores"].get<int>(),
+                       of["caches"].get<std::string>(), of["compiler"].get<std::string>(),
+                       of["build"].get<std::string>(), of["vectors_of_labels"].get<std::string>(),
+                       bench.command.timing.repetitions, bench.states.size(), particles);
 }
 
 bool is_wanted(const BenchCommand& command, const std::string& table) {
@@ -248,8 +249,10 @@ void run_bench(const BenchCommand& command) {
                 {}};
     for (const Path& file : bench.files)
         bench.states.push_back(read_fluid_state<float>(file));
+    const std::string machine_text = about(bench);
     if (!command.quiet)
-        print_machine(bench);
+        fmt::print("{}", machine_text);
+    write_whole(command.folder / "machine.md", machine_text);
     for (const NamedTable& table : known_tables)
         if (is_wanted(command, table.name))
             table.make(bench);
