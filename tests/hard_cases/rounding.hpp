@@ -86,7 +86,9 @@ std::vector<double> lambda_of(const HostState<Real, Dimension>& state) {
 template <class Real, int Dimension>
 void add_changes(const HardCase& fluid, LabelChanges& changes) {
     const HostState<Real, Dimension> state(fluid);
-    const Labels labels = label_particles(snapshot_of(fluid), fluid.support_radius, {});
+    LabelOptions options;
+    options.threads = 1; // most fluids here are small
+    const Labels labels = label_particles(snapshot_of(fluid), fluid.support_radius, options);
     const auto lambda = rounding::lambda_of(state);
     const auto line = shipped_surface_line(Dimension);
     const SurfaceLine<Real> own_line{static_cast<Real>(line.k), static_cast<Real>(line.d)};
