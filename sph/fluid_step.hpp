@@ -110,16 +110,17 @@ public:
 
         const double last_step =
             state.time_step > 0 ? std::min(state.time_step, longest) : time_step_for(0, longest);
-        const SolveReport divergence =
-            solver->remove_divergence(fluid, static_cast<Real>(last_step));
+        const SolveReport divergence = solver->remove_divergence(
+            fluid, static_cast<Real>(std::max(last_step, shortest_solve(largest_speed(0)))));
         report.seconds.divergence = clock.lap();
         add_accelerations(report, clock);
 
-        report.time_step = time_step_for(largest_speed(last_step), longest);
+        const double speed = largest_speed(last_step);
+        report.time_step = time_step_for(speed, longest);
+        fluid.keeps_rounding = report.time_step < shortest_solve(speed);
         apply_accelerations(static_cast<Real>(report.time_step));
-        fit_pressures(last_step, report.time_step);
         report.seconds.motion = clock.lap();
-        const SolveReport pressure = solver->solve(fluid, static_cast<Real>(report.time_step));
+        const SolveReport pressure = solve_pressure(last_step, report.time_step, speed);
         report.seconds.pressure = clock.lap();
 
         stop_at_walls(static_cast<Real>(report.time_step));
@@ -261,6 +262,7 @@ private:
         fluid.count = count;
         fluid.place.resize(count + 1);
         fluid.velocity.resize(count + 1);
+        fluid.rounding.resize(count);
         fluid.acceleration.resize(count);
         fluid.density.resize(count);
         fluid.wall_density.resize(count);
@@ -291,9 +293,15 @@ private:
         fluid.loop.each(count, [&](std::size_t i) {
             const Place& velocity = state.velocities[i];
             fluid.place[i] = rows[order[i]];
-            fluid.velocity[i] = {static_cast<Real>(velocity[0] * inverse),
-                                 static_cast<Real>(velocity[1] * inverse),
-                                 static_cast<Real>(velocity[2] * inverse), 0};
+            const auto rounded = [&](int axis) {
+                return static_cast<Real>(velocity[axis] * inverse);
+            };
+            fluid.velocity[i] = {rounded(0), rounded(1), rounded(2), 0};
+            const auto lost = [&](int axis) {
+                return static_cast<Real>(velocity[axis] * inverse -
+                                         static_cast<double>(rounded(axis)));
+            };
+            fluid.rounding[i] = {lost(0), lost(1), lost(2), 0};
             fluid.id[i] = state.ids[i];
             solver->pressure[i] = static_cast<Real>(state.pressures[i]);
             solver->divergence[i] = static_cast<Real>(state.divergences[i]);
@@ -384,10 +392,42 @@ private:
         return step;
     }
 
+    /// The shortest time, s, that a solver takes compression back within: an eighth of a step that
+    /// is stable at that speed. What a shorter step took back at once would throw particles apart,
+    /// the faster, the shorter it is.
+    [[nodiscard]] double shortest_solve(double speed) const {
+        double step = std::min(std::max(scene.time_step.largest, TimeStepOptions{}.largest),
+                               longest_stable_step());
+        if (speed > 0)
+            step = std::min(step, 0.4 * scene.particle_spacing / (speed * scene.support_radius));
+        return step / 8;
+    }
+
+    /// Solvers that iterate see ahead by shortest_solve() at least: what they add to the velocities
+    /// in a shorter step is what the whole of that time needs.
+    SolveReport solve_pressure(double last_step, double dt, double speed) {
+        if (scene.pressure.solver == PressureSolverKind::wcsph)
+            return solver->solve(fluid, static_cast<Real>(dt));
+        const double shortest = shortest_solve(speed);
+        const double ahead = std::max(dt, shortest);
+        fit_pressures(std::max(last_step, shortest), ahead);
+        // The state keeps pressures as they act during the step.
+        scale_pressures(dt / ahead);
+        const SolveReport report = solver->solve(fluid, static_cast<Real>(ahead));
+        scale_pressures(ahead / dt);
+        return report;
+    }
+
+    void scale_pressures(double factor) {
+        if (factor == 1)
+            return;
+        const auto share = static_cast<Real>(factor);
+        fluid.loop.each(fluid.count, [&](std::size_t i) { solver->pressure[i] *= share; });
+    }
+
     void apply_accelerations(Real dt) {
-        fluid.loop.each(fluid.count, [&](std::size_t i) {
-            fluid.velocity[i] = plus(fluid.velocity[i], dt, fluid.acceleration[i]);
-        });
+        fluid.loop.each(fluid.count,
+                        [&](std::size_t i) { accelerate(fluid, i, dt, fluid.acceleration[i]); });
         if (scene.viscosity.xsph > 0) {
             smooth_velocities(static_cast<Real>(scene.viscosity.xsph), fluid, rows);
             fluid.velocity.swap(rows);
@@ -399,10 +439,8 @@ private:
     /// rest and steps are long again.
     void fit_pressures(double last_step, double dt) {
         const double ratio = last_step / dt;
-        if (2 * ratio * ratio >= 1)
-            return;
-        const auto share = static_cast<Real>(2 * ratio * ratio);
-        fluid.loop.each(fluid.count, [&](std::size_t i) { solver->pressure[i] *= share; });
+        if (2 * ratio * ratio < 1)
+            scale_pressures(2 * ratio * ratio);
     }
 
     /// Takes out the approach to a wall that would lead closer to it than half a spacing. Pressure
@@ -424,8 +462,10 @@ private:
         const double h = scene.support_radius;
         fluid.loop.each(fluid.count, [&](std::size_t i) {
             const Row<Real>& row = fluid.velocity[i];
-            const Place velocity = {static_cast<double>(row.x) * h, static_cast<double>(row.y) * h,
-                                    static_cast<double>(row.z) * h};
+            const Row<Real> lost = fluid.keeps_rounding ? fluid.rounding[i] : Row<Real>{};
+            const Place velocity = {(static_cast<double>(row.x) + static_cast<double>(lost.x)) * h,
+                                    (static_cast<double>(row.y) + static_cast<double>(lost.y)) * h,
+                                    (static_cast<double>(row.z) + static_cast<double>(lost.z)) * h};
             state.velocities[i] = velocity;
             for (int axis = 0; axis < Dimension; ++axis)
                 state.positions[i][axis] += dt * velocity[axis];
