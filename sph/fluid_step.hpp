@@ -124,9 +124,13 @@ public:
         report.seconds.pressure = clock.lap();
 
         stop_at_walls(static_cast<Real>(report.time_step));
+        const double last_speed = largest_speed(0);
+        if (scene.pressure.solver != PressureSolverKind::wcsph) // after an impact, time is longer
+            fit_pressures(std::max(report.time_step, shortest_solve(speed)),
+                          shortest_solve(last_speed));
         move(state, report.time_step);
         report.time = state.time;
-        report.largest_speed = largest_speed(0) * scene.support_radius;
+        report.largest_speed = last_speed * scene.support_radius;
         report.divergence_iterations = divergence.iterations;
         report.divergence_error = divergence.error;
         report.pressure_iterations = pressure.iterations;
