@@ -5,6 +5,7 @@
 
 #include "akinci_2013.hpp"
 #include "becker_2007.hpp"
+#include "coincident.hpp"
 #include "color_field.hpp"
 #include "dfsph.hpp"
 #include "he_2014.hpp"
@@ -104,7 +105,12 @@ public:
         report.seconds.sort = clock.lap();
         find_neighbors();
         report.seconds.neighbors = clock.lap();
-        find_densities(fluid);
+        if (find_densities(fluid)) {
+            part_coincident(fluid, state.positions);
+            sort(state);
+            find_neighbors();
+            find_densities(fluid);
+        }
         solver->prepare(fluid);
         report.seconds.density = clock.lap();
 
@@ -492,15 +498,19 @@ private:
         const double lost = fluid.loop.sum(fluid.count, [&](std::size_t i) {
             return is_in_domain(state.positions[i]) ? 0.0 : 1.0;
         });
-        if (lost == 0 && report.density_error <= largest_density_error)
-            return;
-        throw_divergence(state, report);
+        if (lost != 0 || !(report.density_error <= largest_density_error))
+            throw_divergence(state, report);
+        if (report.largest_speed * report.time_step > longest_move * scene.support_radius)
+            throw_leap(state, report);
     }
 
     [[noreturn]] void throw_divergence(const SimulationState& state,
                                        const StepReport& report) const;
+    [[noreturn]] void throw_leap(const SimulationState& state, const StepReport& report) const;
 
     static constexpr double largest_density_error = 0.5;
+    /// Of a particle in one step, in support radii: more than any courant_factor allows.
+    static constexpr double longest_move = 5;
 };
 
 template <class Real, int Dimension>
@@ -514,6 +524,20 @@ void FluidStep<Real, Dimension>::throw_divergence(const SimulationState& state,
             place = state.positions[i];
         }
     report_divergence(particle, place, state, report.density_error);
+}
+
+template <class Real, int Dimension>
+void FluidStep<Real, Dimension>::throw_leap(const SimulationState& state,
+                                            const StepReport& report) const {
+    std::size_t fastest = 0;
+    const auto squared_speed = [&](std::size_t i) {
+        return dot_rows(fluid.velocity[i], fluid.velocity[i]);
+    };
+    for (std::size_t i = 1; i < fluid.count; ++i)
+        if (squared_speed(i) > squared_speed(fastest))
+            fastest = i;
+    report_leap(state.ids[fastest], report.largest_speed * report.time_step / scene.support_radius,
+                state);
 }
 
 /// The step for the scene's number type and dimension.

@@ -34,6 +34,9 @@ public:
 [[noreturn]] void report_divergence(std::uint32_t particle, const Place& place,
                                     const SimulationState& state, double density_error);
 
+/// Throws Divergence for the particle of that id that moved so many support radii in one step.
+[[noreturn]] void report_leap(std::uint32_t particle, double moved, const SimulationState& state);
+
 /// The one for this machine.
 std::unique_ptr<Step> make_step(const Scene& scene, const SceneParticles& particles, int threads);
 
