@@ -27,6 +27,8 @@ bool is_up_to_date(const Path& output, const Snapshot& input) {
 
 void report(const Path& output, const Snapshot& snapshot, const Labels& labels,
             bool boundary_counts, bool quiet) {
+    for (const std::string& warning : labels.warnings)
+        print_error_line("warning: " + output.string() + ": " + warning);
     const double mean = mean_neighbor_count(labels);
     const auto [lowest, highest] = plausible_neighbor_counts(snapshot.dimension);
     if (snapshot.size() > 0 && (mean < lowest || mean > highest))

@@ -1,6 +1,7 @@
 // The C interface: checks what comes in, and lets no exception out.
 #include "surface_step.hpp"
 
+#include <meniscus/runtime/position_resolution.hpp>
 #include <meniscus/runtime/sample_directions.hpp>
 #include <meniscus/version.hpp>
 
@@ -101,9 +102,10 @@ void check_particles(const meniscus_surface& surface, const meniscus_particles* 
     demand(positions != nullptr, "particles.positions is NULL");
     demand(stride == 0 || stride >= surface.dimension,
            "particles.stride is less than the dimension");
-    demand(radii != nullptr || (is_positive(radius) &&
-                                (surface.is_double || is_positive(static_cast<float>(radius)))),
-           "particles.support_radius must be positive and finite, where support_radii is NULL");
+    demand(radii != nullptr || (surface.is_double ? is_usable_radius<double>(radius)
+                                                  : is_usable_radius<float>(radius)),
+           "particles.support_radius must be positive and finite, and its square within the range "
+           "of the number type, where support_radii is NULL");
     demand(offset_bits == 32 || offset_bits == 64, "particles.offset_bits must be 32 or 64");
     demand(offsets != nullptr, "particles.offsets is NULL");
     const auto is_empty = [&, bits = offset_bits, count = count](const void* some) {
@@ -141,6 +143,23 @@ void check_positive(const char* member, const void* values, std::size_t count) {
             fail_at(member, i, "is not positive and finite");
 }
 
+/// Throws where Real cannot tell a position from its neighbors'.
+template <class Real>
+void check_distances(const meniscus_particles& particles, std::size_t stride,
+                     std::size_t dimension) {
+    const auto* positions = static_cast<const Real*>(particles.positions);
+    const auto* radii = static_cast<const Real*>(particles.support_radii);
+    for (std::size_t i = 0; i < particles.count; ++i) {
+        const double radius =
+            radii != nullptr ? static_cast<double>(radii[i]) : particles.support_radius;
+        if (position_step(positions + i * stride, static_cast<int>(dimension), radius,
+                          std::numeric_limits<Real>::digits) >= coarsest_position_step)
+            fail_at("positions", i,
+                    "lies so far from the origin that the number type cannot tell it from "
+                    "neighbors at its support radius");
+    }
+}
+
 template <class Offset>
 void check_rows(const char* member, const void* offsets, const std::uint32_t* neighbors,
                 std::size_t count, std::size_t others) {
@@ -169,6 +188,7 @@ void check_contents(const meniscus_particles& particles, std::size_t dimension) 
     check_vectors<Real>("positions", particles.positions, count, stride, dimension);
     check_positive<Real>("masses", particles.masses, count);
     check_positive<Real>("support_radii", particles.support_radii, count);
+    check_distances<Real>(particles, stride, dimension);
     if (count > 0)
         check_rows("offsets", particles.offset_bits, particles.offsets, particles.neighbors, count,
                    count);

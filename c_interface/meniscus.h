@@ -183,12 +183,14 @@ MENISCUS_API int meniscus_set_samples_for_time_step(meniscus_surface* surface, d
 MENISCUS_API int meniscus_set_line(meniscus_surface* surface, double k, double d);
 
 /* Finds the surface and all that meniscus_results tells of it. Finite input never gives NaN. Bad:
- * NULL where something is required, no radius that is positive and finite, offset_bits, a stride
- * below the dimension. What costs a pass over all lists is not checked: meniscus_check does. */
+ * NULL where something is required, no radius that is positive and whose square the number type
+ * holds, offset_bits, a stride below the dimension. What costs a pass over all lists is not
+ * checked: meniscus_check does. */
 MENISCUS_API int meniscus_step(meniscus_surface* surface, const meniscus_particles* particles);
 
-/* Looks at everything that a step reads: finite positions, positive masses and radii, ascending
- * offsets, neighbors that exist. For while a solver is written; takes about as long as a step.
+/* Looks at everything that a step reads: positions that are finite and not so far from the origin
+ * that the number type cannot tell neighbors apart, positive masses and radii, ascending offsets,
+ * neighbors that exist. For while a solver is written; takes about as long as a step.
  * The message names the first particle that is wrong. */
 MENISCUS_API int meniscus_check(const meniscus_surface* surface,
                                 const meniscus_particles* particles);

@@ -182,7 +182,7 @@ Classes classify_snapshot(const Snapshot& snapshot, const Model& model,
     check_dimension(model, snapshot.dimension, "the snapshot");
     const SupportRadii radii = support_radii(snapshot);
     Classes classes;
-    classes.valid = checked_positions(snapshot, options.skip_invalid);
+    classes.valid = checked_positions(snapshot, radii, options.skip_invalid);
     classes.neighborhoods =
         find_neighborhoods(snapshot, radii, classes.valid, model.boundary_counts, options.threads);
     auto predictions = predict(model, snapshot, classes.neighborhoods, Precision::float64);
@@ -191,6 +191,8 @@ Classes classify_snapshot(const Snapshot& snapshot, const Model& model,
     for (std::size_t i = 0; i < classes.surface.size(); ++i)
         if (classes.valid[i] == 0)
             classes.surface[i] = 0;
+    if (auto doubt = doubtful_positions(snapshot, radii, classes.valid); !doubt.empty())
+        classes.warnings.push_back(std::move(doubt));
     if (model.boundary_counts && snapshot.boundary.empty())
         classes.warnings.emplace_back(
             "the model counts boundary particles and there are none; give them with --boundary");

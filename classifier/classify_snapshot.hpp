@@ -67,8 +67,8 @@ struct Classes {
 
 /// Classifies a snapshot in double. Its boundary particles count where the model says that they do;
 /// it warns where there are none then. Throws InputError where it has no support radius, where the
-/// model is of another dimension, where positions are not finite (how many, and the first index)
-/// unless skip_invalid, and as find_neighborhoods does.
+/// model is of another dimension, where positions cannot be worked with (checked_positions) unless
+/// skip_invalid, and as find_neighborhoods does.
 Classes classify_snapshot(const Snapshot& snapshot, const Model& model,
                           const ClassifyOptions& options);
 

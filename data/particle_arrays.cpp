@@ -3,8 +3,11 @@
 #include "errors.hpp"
 #include "text.hpp"
 
+#include <meniscus/runtime/position_resolution.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <type_traits>
 
@@ -34,18 +37,66 @@ std::vector<std::int64_t> as_integers(const std::vector<Value>& values, std::str
     }
 }
 
+/// Steps in which the position of a particle with finite coordinates is stored, in its support
+/// radii; 0 where the radius is no radius, which is for the neighbor search to say.
+double step_of(const Snapshot& snapshot, const SupportRadii& radii, std::size_t i) {
+    const bool is_float = snapshot.position_precision == Precision::float32;
+    const int digits =
+        is_float ? std::numeric_limits<float>::digits : std::numeric_limits<double>::digits;
+    const double radius = radii.vary() && i >= radii.each.size() ? 0 : radii.of(i);
+    return radius > 0 ? position_step(snapshot.positions[i], 3, radius, digits) : 0;
+}
+
+std::string type_name(const Snapshot& snapshot) {
+    return snapshot.position_precision == Precision::float32 ? "single precision"
+                                                             : "double precision";
+}
+
+/// Throws InputError, saying what the particles with 0 do, where there is one.
+void demand_all(const std::vector<std::uint8_t>& valid, const std::string& what) {
+    const auto first = std::find(valid.begin(), valid.end(), 0);
+    if (first == valid.end())
+        return;
+    throw InputError(std::to_string(std::count(first, valid.end(), 0)) + " of " +
+                     std::to_string(valid.size()) + " particles " + what +
+                     ", the first is particle " + std::to_string(first - valid.begin()) +
+                     "; --skip-invalid leaves them out");
+}
+
 } // namespace
 
-std::vector<std::uint8_t> checked_positions(const Snapshot& snapshot, bool skip_invalid) {
+std::vector<std::uint8_t> checked_positions(const Snapshot& snapshot, const SupportRadii& radii,
+                                            bool skip_invalid) {
     auto valid = finite_positions(snapshot);
-    const auto first = std::find(valid.begin(), valid.end(), 0);
-    if (first != valid.end() && !skip_invalid)
-        throw InputError(std::to_string(std::count(first, valid.end(), 0)) + " of " +
-                         std::to_string(valid.size()) +
-                         " particles have positions that are not finite, the first is particle " +
-                         std::to_string(first - valid.begin()) +
-                         "; --skip-invalid leaves them out");
+    if (!skip_invalid)
+        demand_all(valid, "have positions that are not finite");
+    for (std::size_t i = 0; i < valid.size(); ++i)
+        if (valid[i] != 0 && step_of(snapshot, radii, i) >= coarsest_position_step)
+            valid[i] = 0;
+    if (!skip_invalid)
+        demand_all(valid,
+                   "lie so far from the origin that " + type_name(snapshot) +
+                       " cannot tell them from neighbors at this support radius (is it in "
+                       "m, and are they? if so, write positions relative to a nearer point)");
     return valid;
+}
+
+std::string doubtful_positions(const Snapshot& snapshot, const SupportRadii& radii,
+                               const std::vector<std::uint8_t>& valid) {
+    double largest = 0;
+    std::size_t where = 0;
+    for (std::size_t i = 0; i < valid.size(); ++i) {
+        const double step = valid[i] != 0 ? step_of(snapshot, radii, i) : 0;
+        if (step > largest) {
+            largest = step;
+            where = i;
+        }
+    }
+    if (largest <= doubtful_position_step)
+        return {};
+    return "particle " + std::to_string(where) + " lies so far from the origin that " +
+           type_name(snapshot) + " moves it in steps of " + rounded_text(largest, 2) +
+           " support radii; particles whose label hangs on so little are doubtful";
 }
 
 SupportRadii support_radii(const Snapshot& snapshot) {

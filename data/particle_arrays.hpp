@@ -7,14 +7,23 @@
 #include "support_radii.hpp"
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace meniscus {
 
-/// 1 for each particle with a finite position, else 0. Throws InputError where there is a 0 (how
-/// many, and the first index), unless skip_invalid.
-std::vector<std::uint8_t> checked_positions(const Snapshot& snapshot, bool skip_invalid);
+/// 1 for each particle whose position can be worked with, else 0: it is finite, and not so far from
+/// the origin that the type it is stored in cannot tell it from its neighbors
+/// (runtime/position_resolution.hpp). Throws InputError where there is a 0 (how many, and the first
+/// index), unless skip_invalid.
+std::vector<std::uint8_t> checked_positions(const Snapshot& snapshot, const SupportRadii& radii,
+                                            bool skip_invalid);
+
+/// One line for standard error where valid particles lie so far from the origin that labels are
+/// doubtful; else empty.
+std::string doubtful_positions(const Snapshot& snapshot, const SupportRadii& radii,
+                               const std::vector<std::uint8_t>& valid);
 
 /// The support radii of the particles with finite positions: the one that the snapshot has for all,
 /// else its array `support_radius`. Throws InputError where there is neither; whether the values

@@ -84,7 +84,7 @@ Work prepare_work(const Snapshot& snapshot, const SupportRadii& radii,
     work.method = options.method;
     work.range = neighbor_range<double>(radii.vary() ? 1 : radii.largest, options.radius_ratio);
     work.radius_ratio = options.radius_ratio;
-    work.valid = checked_positions(snapshot, options.skip_invalid);
+    work.valid = checked_positions(snapshot, radii, options.skip_invalid);
     work.masses = checked_masses(snapshot, work.valid);
     sort_particles(work, snapshot, options);
     if (options.method == LabelMethod::exact)
@@ -249,6 +249,8 @@ Labels label_particles(const Snapshot& snapshot, const SupportRadii& radii,
     labels.uncovered_fraction.assign(count, 0);
     labels.surface.assign(count, 0);
     labels.valid = work.valid;
+    if (auto doubt = doubtful_positions(snapshot, radii, work.valid); !doubt.empty())
+        labels.warnings.push_back(std::move(doubt));
     labels.mass_offset.assign(count, 0);
     labels.neighbor_count.assign(count, 0);
     // In the grid's order, where the neighbors of one particle are those of the next.

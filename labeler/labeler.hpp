@@ -26,7 +26,7 @@ struct LabelOptions {
     std::string scheme = "halton"; ///< Monte Carlo: name of a sampling scheme
     std::uint64_t seed = 0;        ///< Monte Carlo; 0: Halton's sequence as it is
     bool boundary_counts = false;  ///< boundary particles are neighbors in the features too
-    bool skip_invalid = false;     ///< leave particles with non-finite positions out
+    bool skip_invalid = false;     ///< leave out particles whose positions cannot be worked with
     int threads = 0;               ///< 0: all cores; the labels do not depend on it
     /// Called now and then from the calling thread with the number of particles done.
     std::function<void(std::size_t)> progress = {};
@@ -39,6 +39,7 @@ struct Labels {
     std::vector<std::uint8_t> valid;        ///< 0 where left out
     std::vector<double> mass_offset;        ///< feature x (eq. 1)
     std::vector<double> neighbor_count;     ///< feature y; whole where radii do not vary
+    std::vector<std::string> warnings;      ///< one line each, for standard error
 };
 
 /// Labels all particles with these support radii (support_radii() has those of a snapshot, a number
@@ -48,9 +49,9 @@ struct Labels {
 /// boundary_counts, whatever the phase, each with the mean_mass of the fluid. Where radii vary,
 /// each pair is measured in its mean radius (runtime/support_radius.hpp, scaled_features.hpp), and
 /// a boundary particle has radius and mass of the particle it is a neighbor of. Throws InputError
-/// where an option is out of range, where a position is not finite (how many, and the first index)
-/// unless skip_invalid, where a mass is not positive, or where the neighbor search refuses;
-/// likewise for the boundary.
+/// where an option is out of range, where a position is not finite, or too far from the origin for
+/// its number type (checked_positions; how many, and the first index) unless skip_invalid, where a
+/// mass is not positive, or where the neighbor search refuses; likewise for the boundary.
 Labels label_particles(const Snapshot& snapshot, const SupportRadii& radii,
                        const LabelOptions& options);
 

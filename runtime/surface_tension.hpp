@@ -13,6 +13,7 @@
 
 #include "connected_bodies.hpp"
 #include "momentum.hpp"
+#include "position_resolution.hpp"
 #include "shipped_curvature_map.hpp"
 #include "shipped_surface_line.hpp"
 #include "surface_force.hpp"
@@ -151,10 +152,13 @@ public:
     /// One step over `count` particles: classes, normals, curvatures and forces of the surface.
     /// `view` delivers neighbors of the same phase; `boundary` is a BoundaryView or NoBoundary;
     /// `radii` a UniformRadius or VaryingRadii; `ids` one number a particle that stays its own, or
-    /// nullptr where particles keep their index. Never NaN from finite input.
+    /// nullptr where particles keep their index. Never NaN from finite input. Throws
+    /// std::invalid_argument, with the last step's results as they were, where one radius serves
+    /// all and Real cannot calculate with it (position_resolution.hpp).
     template <class View, class Boundary, class Radii, class Loop>
     void step(const View& view, const Boundary& boundary, std::size_t count, const Radii& radii,
               const std::uint32_t* ids, const Loop& loop) {
+        check_radius(radii, count);
         find_candidates<Real, Dimension>(
             view, count, radii,
             SurfaceLine<Real>{static_cast<Real>(settings.k), static_cast<Real>(settings.d)},
@@ -174,6 +178,7 @@ public:
     void step(const View& view, const Boundary& boundary, std::size_t count, const Radii& radii,
               const std::uint32_t* ids, const std::uint8_t* candidate, const Count* neighbor_count,
               const Loop& loop) {
+        check_radius(radii, count);
         take_candidates(candidate, neighbor_count, count, list);
         step_from_candidates(view, boundary, radii, ids, loop);
     }
@@ -213,6 +218,14 @@ private:
     MomentumBalance balance;
     std::vector<std::uint32_t> bodies;
     std::vector<std::uint8_t> at_wall;
+
+    template <class Radii>
+    static void check_radius(const Radii& radii, std::size_t count) {
+        if constexpr (!Radii::varies)
+            if (count > 0 && !is_usable_radius<Real>(static_cast<double>(radii.radius)))
+                throw std::invalid_argument("the support radius must be positive, and its square "
+                                            "within the range of the number type; is it in m?");
+    }
 
     template <class View, class Boundary, class Radii, class Loop>
     void step_from_candidates(const View& view, const Boundary& boundary, const Radii& radii,

@@ -388,6 +388,9 @@ TEST(CInterfaceErrors, CheckFindsWhatStepsTrust) {
     bad.positions[3 * 7 + 2] = std::numeric_limits<double>::infinity();
     check(bad, nothing, "particles.positions[7]");
     bad = good;
+    bad.positions[3 * 8 + 1] = 1e17;
+    check(bad, nothing, "particles.positions[8] lies so far from the origin");
+    bad = good;
     std::swap(bad.short_offsets[5], bad.short_offsets[6]);
     std::swap(bad.long_offsets[5], bad.long_offsets[6]);
     check(bad, nothing, "particles.offsets[6]");

@@ -29,11 +29,30 @@ Snapshot three_particles(const std::string& name, ArrayValues values) {
 TEST(ParticleArrays, PositionsThatAreNotFiniteAreCountedOrLeftOut) {
     Snapshot snapshot;
     snapshot.positions = {{0, 0, 0}, {nan, 0, 0}, {0, infinity, 0}};
-    EXPECT_EQ(checked_positions(snapshot, true), (Flags{1, 0, 0}));
-    expect_mentions(error_of<InputError>([&] { checked_positions(snapshot, false); }),
+    EXPECT_EQ(checked_positions(snapshot, 1, true), (Flags{1, 0, 0}));
+    expect_mentions(error_of<InputError>([&] { checked_positions(snapshot, 1, false); }),
                     {"2 of 3 particles", "the first is particle 1", "--skip-invalid"});
     snapshot.positions = {{0, 0, 0}};
-    EXPECT_EQ(checked_positions(snapshot, false), Flags{1});
+    EXPECT_EQ(checked_positions(snapshot, 1, false), Flags{1});
+}
+
+/// At 2^18 radii a float coordinate moves in steps of 1/32 of a radius.
+TEST(ParticleArrays, PositionsTooFarOutForTheirTypeAreRefused) {
+    Snapshot snapshot;
+    snapshot.positions = {{0, 0, 0}, {0, -0x1.1p18, 0}, {0, 0x1.ffp17, 0}};
+    EXPECT_EQ(checked_positions(snapshot, 1, false), all_valid);
+    EXPECT_EQ(doubtful_positions(snapshot, 1, all_valid), "");
+    snapshot.position_precision = Precision::float32;
+    EXPECT_EQ(checked_positions(snapshot, 1, true), (Flags{1, 0, 1}));
+    EXPECT_EQ(checked_positions(snapshot, 2, false), all_valid);
+    expect_mentions(
+        error_of<InputError>([&] { checked_positions(snapshot, 1, false); }),
+        {"1 of 3 particles", "single precision", "the first is particle 1", "--skip-invalid"});
+    expect_mentions(doubtful_positions(snapshot, 2, all_valid),
+                    {"particle 1", "single precision", "doubtful"});
+    EXPECT_EQ(doubtful_positions(snapshot, 1, {1, 0, 0}), "");
+    // The smallest radius of all is no radius at all, which is for others to say.
+    EXPECT_EQ(checked_positions(snapshot, 0, false), all_valid);
 }
 
 TEST(ParticleArrays, MassesArePositiveOrAbsent) {

@@ -380,7 +380,10 @@ void add_masses(int dimension, std::vector<HardCase>& all) {
     std::mt19937_64 generator(11);
     for (std::size_t i = 0; i < heavy.size(); ++i)
         heavy.masses.push_back(generator() % 2 == 0 ? 1e-3 : 1e3);
+    if (dimension == 2)
+        heavy.line_misses = "heavy neighbors pull the center of mass back";
     all.push_back(heavy);
+    heavy.line_misses.clear();
     heavy.masses.assign(heavy.size(), 1e-3);
     for (std::size_t i = 0; i < heavy.size(); ++i)
         if (heavy.expected[i] == Expected::surface)
@@ -402,6 +405,7 @@ void add_bunches(int dimension, std::vector<HardCase>& all) {
                              "surface above the 300 particles as without them");
     below.positions.resize(below.size() + 300, {0, 4, 0});
     below.expected.resize(below.size(), Expected::either);
+    below.line_misses = "300 neighbors more than it was trained for";
     all.push_back(below);
 }
 
@@ -445,6 +449,7 @@ void add_densities(int dimension, std::vector<HardCase>& all) {
     for (std::size_t i = 0; i < crowded.size(); ++i)
         if (product(crowded.positions[i], crowded.positions[i]) < 1.5)
             mark(crowded, i, Expected::interior);
+    crowded.line_misses = "it was trained for h = 2 spacings";
     all.push_back(crowded);
 }
 

@@ -39,6 +39,8 @@ struct HardCase {
     /// lambda of every particle where one formula gives it, else negative.
     double uncovered_fraction = -1;
     Refused refused = Refused::never;
+    /// Why the shipped line misses particles that must be surface; empty where it must not.
+    std::string line_misses;
 
     [[nodiscard]] std::size_t size() const { return positions.size(); }
     /// True where positions rounded to Real (float or double) still are the case.

@@ -119,7 +119,8 @@ TYPED_TEST(SurfaceTensionStep, DegenerateFluidsGiveNumbers) {
     expect_finite_results(Fluid<Real, dimension>(std::move(many), 1), "many neighbors");
 }
 
-/// Whatever the unit of length, down to where squares vanish.
+/// Whatever the unit of length, down to where squares vanish, which is refused: all distances would
+/// be 0, and everything surface.
 TYPED_TEST(SurfaceTensionStep, AbsurdScalesGiveNumbers) {
     using Real = typename TypeParam::Real;
     constexpr int dimension = TypeParam::dimension;
@@ -127,7 +128,12 @@ TYPED_TEST(SurfaceTensionStep, AbsurdScalesGiveNumbers) {
         expect_finite_results(ball<Real, dimension>(3, 0.2, radius),
                               ("radius " + std::to_string(radius)).c_str());
     const auto least = static_cast<double>(std::numeric_limits<Real>::min());
-    expect_finite_results(ball<Real, dimension>(3, 0.2, 16 * least), "least radius");
+    for (const double radius : {16 * least, 1 / (16 * least)}) {
+        const auto fluid = ball<Real, dimension>(3, 0.2, radius);
+        SurfaceTension<Real, dimension> tension(options_for<dimension>());
+        EXPECT_THROW(tension.step(fluid.view(), fluid.size(), fluid.radii(), SerialLoop{}),
+                     std::invalid_argument);
+    }
     auto close = Fluid<Real, dimension>(Places<Real, dimension>(20), 1);
     close.positions[3][0] = std::numeric_limits<Real>::denorm_min();
     expect_finite_results(close, "denormal distances");
