@@ -116,24 +116,25 @@ public:
 
         const double last_step =
             state.time_step > 0 ? std::min(state.time_step, longest) : time_step_for(0, longest);
-        const SolveReport divergence = solver->remove_divergence(
-            fluid, static_cast<Real>(std::max(last_step, shortest_solve(largest_speed(0)))));
+        const double first_speed = largest_speed(0);
+        const SolveReport divergence =
+            solver->remove_divergence(fluid, static_cast<Real>(last_step));
         report.seconds.divergence = clock.lap();
         add_accelerations(report, clock);
 
         const double speed = largest_speed(last_step);
         report.time_step = time_step_for(speed, longest);
-        fluid.keeps_rounding = report.time_step < shortest_solve(speed);
+        fluid.keeps_rounding = is_short(report.time_step, speed);
         apply_accelerations(static_cast<Real>(report.time_step));
         report.seconds.motion = clock.lap();
-        const SolveReport pressure = solve_pressure(last_step, report.time_step, speed);
+        fit_pressures(last_step, report.time_step);
+        fit_pressures_to_speeds(report.time_step, first_speed, speed);
+        const SolveReport pressure = solve_pressure(report.time_step, speed);
         report.seconds.pressure = clock.lap();
 
         stop_at_walls(static_cast<Real>(report.time_step));
         const double last_speed = largest_speed(0);
-        if (scene.pressure.solver != PressureSolverKind::wcsph) // after an impact, time is longer
-            fit_pressures(std::max(report.time_step, shortest_solve(speed)),
-                          shortest_solve(last_speed));
+        fit_pressures_to_speeds(report.time_step, speed, last_speed);
         move(state, report.time_step);
         report.time = state.time;
         report.largest_speed = last_speed * scene.support_radius;
@@ -402,27 +403,32 @@ private:
         return step;
     }
 
-    /// The shortest time, s, that a solver takes compression back within: an eighth of a step that
-    /// is stable at that speed. What a shorter step took back at once would throw particles apart,
-    /// the faster, the shorter it is.
-    [[nodiscard]] double shortest_solve(double speed) const {
+    /// The longest step, s, that is stable at that speed.
+    [[nodiscard]] double stable_step(double speed) const {
         double step = std::min(std::max(scene.time_step.largest, TimeStepOptions{}.largest),
                                longest_stable_step());
         if (speed > 0)
             step = std::min(step, 0.4 * scene.particle_spacing / (speed * scene.support_radius));
-        return step / 8;
+        return step;
     }
 
-    /// Solvers that iterate see ahead by shortest_solve() at least: what they add to the velocities
-    /// in a shorter step is what the whole of that time needs.
-    SolveReport solve_pressure(double last_step, double dt, double speed) {
-        if (scene.pressure.solver == PressureSolverKind::wcsph)
-            return solver->solve(fluid, static_cast<Real>(dt));
-        const double shortest = shortest_solve(speed);
-        const double ahead = std::max(dt, shortest);
-        fit_pressures(std::max(last_step, shortest), ahead);
-        // The state keeps pressures as they act during the step.
-        scale_pressures(dt / ahead);
+    [[nodiscard]] bool is_short(double dt, double speed) const {
+        return dt < stable_step(speed) / 8;
+    }
+
+    /// The time, s, within which solvers that iterate take compression back: that of the step, but
+    /// longer, up to a whole stable one, where the step is short. What a short step took back at
+    /// once would throw particles apart, the faster, the shorter it is.
+    [[nodiscard]] double solve_time(double dt, double speed) const {
+        if (scene.pressure.solver == PressureSolverKind::wcsph || !is_short(dt, speed))
+            return dt;
+        const double stable = stable_step(speed);
+        return std::min(stable, stable * stable / (64 * dt));
+    }
+
+    SolveReport solve_pressure(double dt, double speed) {
+        const double ahead = solve_time(dt, speed);
+        scale_pressures(dt / ahead); // the state keeps them as they act during a step
         const SolveReport report = solver->solve(fluid, static_cast<Real>(ahead));
         scale_pressures(ahead / dt);
         return report;
@@ -451,6 +457,11 @@ private:
         const double ratio = last_step / dt;
         if (2 * ratio * ratio < 1)
             scale_pressures(2 * ratio * ratio);
+    }
+
+    /// The same where steps stay as they are, but solves get more time since particles slow down.
+    void fit_pressures_to_speeds(double dt, double last_speed, double speed) {
+        fit_pressures(solve_time(dt, last_speed), solve_time(dt, speed));
     }
 
     /// Takes out the approach to a wall that would lead closer to it than half a spacing. Pressure

@@ -92,7 +92,8 @@ void check_numbers(const Scene& scene, const SceneParticles& particles) {
     expect(scene.dimension == 2 || scene.dimension == 3, "dimension must be 2 or 3",
            scene.dimension);
     expect_positive(scene.particle_spacing, "particle spacing");
-    expect_positive(scene.support_radius, "support radius");
+    expect(scene.support_radius >= 1e-30 && scene.support_radius <= 1e30,
+           "support radius must be a number of metres from 1e-30 to 1e30", scene.support_radius);
     const double ratio = scene.support_radius / scene.particle_spacing;
     expect(ratio >= 1 && ratio <= 100, "support radius must be 1 to 100 spacings", ratio);
     expect_positive(scene.rest_density, "rest density");
