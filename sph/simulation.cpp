@@ -328,10 +328,17 @@ void report_leap(std::uint32_t particle, double moved, const SimulationState& st
 }
 
 void report_divergence(std::uint32_t particle, const Place& place, const SimulationState& state,
-                       double density_error) {
+                       double density_error, const DensePlace& densest) {
+    constexpr double dense = 2; // no pressure solve leaves as much
     const std::string when = diverged_when(state);
-    const std::string advice = "; try a smaller time step, a larger viscosity or a smaller "
-                               "surface-tension coefficient";
+    const std::string advice =
+        densest.density > dense
+            ? "; before this step the fluid around particle " + std::to_string(densest.particle) +
+                  " was " + rounded_text(densest.density, 3) +
+                  " times as dense as at rest: particles lie in one another there, so start them "
+                  "farther apart"
+            : "; try a smaller time step, a larger viscosity or a smaller surface-tension "
+              "coefficient";
     if (particle == std::numeric_limits<std::uint32_t>::max())
         throw Divergence(when + "the mean density error is " + rounded_text(density_error, 3) +
                          advice);
