@@ -20,6 +20,9 @@ std::vector<Check> check_motion(const Method& method);
 /// of the stable length, and ten times as many of a tenth of the length.
 std::vector<Check> check_step_lengths(const std::string& flow, const Method& method);
 
+/// The same flow for the time of twenty stable steps in steps of a thousandth, beside stable ones.
+Check check_long_run(const std::string& flow, const Method& method);
+
 /// What no run can start from or go on with, and the message that must say so.
 std::vector<Check> check_refusals();
 
