@@ -74,10 +74,9 @@ std::vector<std::uint8_t> checked_positions(const Snapshot& snapshot, const Supp
         if (valid[i] != 0 && step_of(snapshot, radii, i) >= coarsest_position_step)
             valid[i] = 0;
     if (!skip_invalid)
-        demand_all(valid,
-                   "lie so far from the origin that " + type_name(snapshot) +
-                       " cannot tell them from neighbors at this support radius (is it in "
-                       "m, and are they? if so, write positions relative to a nearer point)");
+        demand_all(valid, "lie so far from the origin that " + type_name(snapshot) +
+                              " cannot tell them from their neighbors (are positions and support "
+                              "radius in m, and measured from a point nearby?)");
     return valid;
 }
 

@@ -103,7 +103,10 @@ bool is_surface(const FeatureSum<Real, Dimension, Count>& sum, const SurfaceLine
     const Real left_squared = above * above;
     const int below = line.k >= 0 ? int{above <= 0} | int{left_squared <= right_squared}
                                   : int{above <= 0} & int{left_squared >= right_squared};
-    return (below | int{sum.count == 0} | int{!is_finite(right_squared)}) != 0;
+    // The inverse is 0 where the product overflowed; by bits, as fast mathematics knows no
+    // infinity.
+    const int is_lost = int{bits_of(inverse) == 0} | int{!is_finite(right_squared)};
+    return (below | int{sum.count == 0} | is_lost) != 0;
 }
 
 /// Classifies particles `begin` to `end - 1` of a neighborhood view: surface[i] becomes 1 or 0.

@@ -8,6 +8,7 @@
 #include "neighborhood.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace meniscus {
 inline namespace MENISCUS_INSTRUCTION_SET {
@@ -65,8 +66,19 @@ template <class Real, int Dimension, class Count>
 Real mass_offset(const FeatureSum<Real, Dimension, Count>& sum, Real support_radius) {
     if (sum.count == 0)
         return 0;
-    return std::sqrt(squared_length<Real, Dimension>(sum.moment)) /
-           (support_radius * sum.total_mass());
+    using Limits = std::numeric_limits<Real>;
+    const auto is_in_range = [](Real value) {
+        return value >= Limits::min() && value <= Limits::max();
+    };
+    const Real scale = support_radius * sum.total_mass();
+    const Real squared = squared_length<Real, Dimension>(sum.moment);
+    if (is_in_range(scale) && is_in_range(squared))
+        return std::sqrt(squared) / scale;
+    // Masses so small or large that products leave the range of Real: divided first.
+    Real offset[Dimension];
+    for (int axis = 0; axis < Dimension; ++axis)
+        offset[axis] = sum.moment[axis] / sum.total_mass() / support_radius;
+    return std::sqrt(squared_length<Real, Dimension>(offset));
 }
 
 /// The sums of particle i over any neighborhood view: the plain reference.

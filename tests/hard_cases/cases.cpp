@@ -411,15 +411,21 @@ void add_bunches(int dimension, std::vector<HardCase>& all) {
 
 void add_scales(int dimension, std::vector<HardCase>& all) {
     const HardCase base = droplet(dimension);
-    const auto of_radius = [&](double h) { return scaled(base, h / base.support_radius); };
-    all.push_back(renamed(of_radius(1e-9), "radius_1e_minus_9", "as at any scale"));
-    all.push_back(renamed(of_radius(1e9), "radius_1e9", "as at any scale"));
-    const HardCase unit = of_radius(1);
+    const auto of_water = [&](const char* name, double h) {
+        HardCase water = renamed(scaled(base, h / base.support_radius), name,
+                                 "as at any scale, with the masses of water");
+        water.masses.assign(water.size(), 1000 * std::pow(h / 2, dimension));
+        all.push_back(water);
+    };
+    of_water("radius_1e_minus_9", 1e-9);
+    of_water("radius_1e9", 1e9);
+    const HardCase unit = turned(scaled(base, 1 / base.support_radius), 13);
     const auto far = [&](const char* name, const char* why, double distance, Refused refused) {
         all.push_back(renamed(moved(unit, {distance, -distance, distance}), name, why));
         all.back().refused = refused;
     };
-    far("far_1e4", "as at the origin, though float keeps three digits of the spacing", 1e4,
+    far("far_1e4",
+        "as at the origin, though float keeps three digits of the spacing; a warning in float", 1e4,
         Refused::never);
     far("far_1e7", "as at the origin in double; refused in float, which resolves h alone there",
         1e7, Refused::in_float);
@@ -494,6 +500,13 @@ std::vector<HardCase> hard_cases(int dimension) {
     add_densities(dimension, all);
     add_odd_numbers(dimension, all);
     return all;
+}
+
+HardCase turned_about_first(const HardCase& hard_case, std::uint64_t seed) {
+    if (hard_case.positions.empty())
+        return hard_case;
+    const Place& first = hard_case.positions[0];
+    return turned(moved(hard_case, {-first[0], -first[1], -first[2]}), seed);
 }
 
 Snapshot snapshot_of(const HardCase& hard_case) {

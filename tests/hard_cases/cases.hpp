@@ -55,6 +55,9 @@ struct HardCase {
 /// underscores.
 std::vector<HardCase> hard_cases(int dimension);
 
+/// The case turned about its first particle, which comes to stand at the origin.
+HardCase turned_about_first(const HardCase& hard_case, std::uint64_t seed);
+
 /// The same as a snapshot, with `mass` where masses differ.
 Snapshot snapshot_of(const HardCase& hard_case);
 

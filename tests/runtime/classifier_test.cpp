@@ -76,6 +76,15 @@ TEST(Classifier, FeaturesThatAreNotFiniteMeanSurface) {
     }
 }
 
+/// h times the mass of the neighbors overflows, and the offset with it.
+TEST(Classifier, MassesThatOverflowMeanSurface) {
+    FeatureSum<float, 3> sum;
+    sum.count = 10;
+    sum.mass = 1e30F;
+    sum.moment[0] = 0.5e38F;
+    EXPECT_TRUE(is_surface(sum, {20.0F, 1.0F}, 1e9F));
+}
+
 TEST(Classifier, TellsFiniteByBitsUnderFastMathToo) {
     EXPECT_TRUE(is_finite(0.0F));
     EXPECT_TRUE(is_finite(std::numeric_limits<float>::denorm_min()));

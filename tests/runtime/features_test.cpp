@@ -23,6 +23,20 @@ TYPED_TEST(Features, CenterOfMassOfTwoNeighbors) {
     EXPECT_FLOAT_EQ(static_cast<float>(mass_offset(sum, Real(2))), 5.0F / 14.0F);
 }
 
+/// The masses of water at h = 1 nm: in float the square of the sum would be 0.
+TYPED_TEST(Features, MassesWhoseProductsVanishOrOverflowCancelOut) {
+    using Real = TypeParam;
+    const auto range = neighbor_range<Real>(2, 0.8);
+    constexpr int most = std::numeric_limits<Real>::max_exponent;
+    for (const int exponent : {most / 2 + 4, -most / 2 - 4, most - 3}) {
+        const Real unit = std::ldexp(Real(1), exponent);
+        FeatureSum<Real, 3> sum;
+        sum.add(std::array<Real, 3>{1, 0, 0}, Real(1), 3 * unit, range);
+        sum.add(std::array<Real, 3>{0, 1, 0}, Real(1), 4 * unit, range);
+        EXPECT_FLOAT_EQ(static_cast<float>(mass_offset(sum, Real(2))), 5.0F / 14.0F);
+    }
+}
+
 TYPED_TEST(Features, NeighborsOutsideTheRangeCountInNeitherFeature) {
     using Real = TypeParam;
     const Real h = Real(0.5);
