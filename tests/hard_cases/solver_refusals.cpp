@@ -72,10 +72,10 @@ Check check_snapshot(const std::string& name, const std::string& expected,
 
 void add_bad_numbers(std::vector<Check>& checks) {
     for (const double bad : {nan, infinity})
-        checks.push_back(check_spoilt(
-            bad == infinity ? "velocity_infinite" : "velocity_nan", "refused, with the particle",
-            {"particle 1", "velocity", "not finite"},
-            [&](Subject& subject) { subject.particles.velocities[1][2] = bad; }));
+        checks.push_back(
+            check_spoilt(bad == infinity ? "velocity_infinite" : "velocity_nan",
+                         "refused, with the particle", {"particle 1", "velocity", "not finite"},
+                         [&](Subject& subject) { subject.particles.velocities[1][2] = bad; }));
     checks.push_back(check_spoilt("wall_nan", "refused, with the wall particle",
                                   {"wall particle 0", "not finite"}, [](Subject& subject) {
                                       subject.particles.walls = {{0, nan, 0}};
@@ -94,50 +94,48 @@ void add_bad_numbers(std::vector<Check>& checks) {
                                       subject.scene.pressure.solver = PressureSolverKind::wcsph;
                                       subject.scene.pressure.sound_speed = 0;
                                   }));
-    checks.push_back(
-        check_spoilt("million_spacings_in_h", "refused: everything would be a neighbor",
-                     {"1 to 100 spacings"},
-                     [](Subject& subject) { subject.scene.particle_spacing = 1e-6; }));
+    checks.push_back(check_spoilt("million_spacings_in_h",
+                                  "refused: everything would be a neighbor", {"1 to 100 spacings"},
+                                  [](Subject& subject) { subject.scene.particle_spacing = 1e-6; }));
 }
 
 void add_far_places(std::vector<Check>& checks) {
-    checks.push_back(check_spoilt(
-        "domain_beyond_float", "refused: float tells places apart by 0.06 h out there",
-        {"domain reaches", "double"}, [](Subject& subject) {
-            subject.scene.domain = {{{-1e6, -1e6, -1e6}, {1e6, 1e6, 1e6}}};
-        }));
-    checks.push_back(check_spoilt(
-        "particles_apart_beyond_float", "refused, with the particle: the same",
-        {"particle ", "double"}, [](Subject& subject) { subject.particles.positions[1][0] = 1e5; }));
-    checks.push_back(check_message(
-        "scene_beyond_double", "refused: places there are 1e-7 m apart, a tenth of the spacing",
-        {"particle 0", "closer to the origin"}, [] {
-            Scene scene = plain_scene({}, 2e-6, 1e-6);
-            scene.fluid = {{LatticeShape{{1e9, 0, 0}, {3, 1, 1}}, {}}};
-            fill_scene(scene);
-        }));
-    checks.push_back(check_snapshot(
-        "snapshot_beyond_float", "refused: the file's numbers round the spacing off",
-        {"particle 0", "single precision"}, [](Snapshot& snapshot) {
-            for (Place& place : snapshot.positions)
-                place[0] += 1e6;
-            snapshot.position_precision = Precision::float32;
-        }));
+    checks.push_back(
+        check_spoilt("domain_beyond_float", "refused: float tells places apart by 0.06 h out there",
+                     {"domain reaches", "double"}, [](Subject& subject) {
+                         subject.scene.domain = {{{-1e6, -1e6, -1e6}, {1e6, 1e6, 1e6}}};
+                     }));
+    checks.push_back(
+        check_spoilt("particles_apart_beyond_float", "refused, with the particle: the same",
+                     {"particle ", "double"},
+                     [](Subject& subject) { subject.particles.positions[1][0] = 1e5; }));
+    checks.push_back(check_message("scene_beyond_double",
+                                   "refused: places there are 1e-7 m apart, a tenth of the spacing",
+                                   {"particle 0", "closer to the origin"}, [] {
+                                       Scene scene = plain_scene({}, 2e-6, 1e-6);
+                                       scene.fluid = {{LatticeShape{{1e9, 0, 0}, {3, 1, 1}}, {}}};
+                                       fill_scene(scene);
+                                   }));
+    checks.push_back(check_snapshot("snapshot_beyond_float",
+                                    "refused: the file's numbers round the spacing off",
+                                    {"particle 0", "single precision"}, [](Snapshot& snapshot) {
+                                        for (Place& place : snapshot.positions)
+                                            place[0] += 1e6;
+                                        snapshot.position_precision = Precision::float32;
+                                    }));
 }
 
 void add_fluids_unlike(std::vector<Check>& checks) {
-    checks.push_back(check_snapshot("snapshot_of_two_masses",
-                                    "refused, with the particle: the step has one mass",
-                                    {"particle 2", "mass"}, [](Snapshot& snapshot) {
-                                        set_array(snapshot,
-                                                  {"mass", 1, std::vector<double>{1, 1, 1000}});
-                                    }));
-    checks.push_back(check_snapshot("snapshot_of_two_phases",
-                                    "refused, with the particle: the step has one fluid",
-                                    {"particle 1", "phase"}, [](Snapshot& snapshot) {
-                                        set_array(snapshot,
-                                                  {"phase", 1, std::vector<std::int32_t>{0, 1, 1}});
-                                    }));
+    checks.push_back(check_snapshot(
+        "snapshot_of_two_masses", "refused, with the particle: the step has one mass",
+        {"particle 2", "mass"}, [](Snapshot& snapshot) {
+            set_array(snapshot, {"mass", 1, std::vector<double>{1, 1, 1000}});
+        }));
+    checks.push_back(check_snapshot(
+        "snapshot_of_two_phases", "refused, with the particle: the step has one fluid",
+        {"particle 1", "phase"}, [](Snapshot& snapshot) {
+            set_array(snapshot, {"phase", 1, std::vector<std::int32_t>{0, 1, 1}});
+        }));
 }
 
 void add_leaps(std::vector<Check>& checks) {
@@ -145,29 +143,28 @@ void add_leaps(std::vector<Check>& checks) {
         subject.scene.domain = {{{-1000, -1000, -1000}, {1000, 1000, 1000}}};
         subject.particles.velocities[1] = {0, 0, 1000};
     };
-    checks.push_back(check_spoilt(
-        "fixed_step_too_long", "stops, with the particle: it could pass a wall unseen",
-        {"particle 1 moved 10", "in one step"}, [&](Subject& subject) {
-            throw_particle(subject);
-            subject.scene.time_step.fixed = 0.01;
-        }));
+    checks.push_back(check_spoilt("fixed_step_too_long",
+                                  "stops, with the particle: it could pass a wall unseen",
+                                  {"particle 1 moved 10", "in one step"}, [&](Subject& subject) {
+                                      throw_particle(subject);
+                                      subject.scene.time_step.fixed = 0.01;
+                                  }));
     checks.push_back(check_spoilt(
         "smallest_step_too_long", "stops: the same, where time_step.smallest holds the step up",
         {"particle 1 moved 10", "smallest"}, [&](Subject& subject) {
             throw_particle(subject);
             subject.scene.time_step.smallest = subject.scene.time_step.largest = 0.01;
         }));
-    checks.push_back(check_spoilt(
-        "velocity_beyond_float", "stops: places around it are no numbers any more",
-        {"a position that is not finite"}, [](Subject& subject) {
-            subject.particles.velocities[1] = {0, 0, 1e300};
-        }));
-    checks.push_back(check_spoilt("three_hundred_in_one_place",
-                                  "stops and says where the fluid is too dense",
-                                  {"as dense as at rest"}, [](Subject& subject) {
-                                      subject.particles = particles_of(
-                                          subject.scene, Positions(300, {0.1, 0.2, 0.3}));
+    checks.push_back(check_spoilt("velocity_beyond_float",
+                                  "stops: places around it are no numbers any more",
+                                  {"a position that is not finite"}, [](Subject& subject) {
+                                      subject.particles.velocities[1] = {0, 0, 1e300};
                                   }));
+    checks.push_back(check_spoilt(
+        "three_hundred_in_one_place", "stops and says where the fluid is too dense",
+        {"as dense as at rest"}, [](Subject& subject) {
+            subject.particles = particles_of(subject.scene, Positions(300, {0.1, 0.2, 0.3}));
+        }));
 }
 
 } // namespace

@@ -21,7 +21,8 @@ struct Expectation {
 
 Expectation expectation_of(const HardCase& hard_case) {
     const std::string& name = hard_case.name;
-    if (!hard_case.masses.empty())
+    const auto& masses = hard_case.masses;
+    if (std::any_of(masses.begin(), masses.end(), [&](double m) { return !(m == masses[0]); }))
         return {Fate::refused_mass,
                 "refused as fluid of a scene, with the particle: the step has one mass",
                 "has mass"};

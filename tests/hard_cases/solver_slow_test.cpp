@@ -10,10 +10,10 @@ class LongRun : public testing::TestWithParam<PressureSolverKind> {};
 
 TEST_P(LongRun, InShortStepsIsThatInStableOnes) {
     for (const char* flow : {"dam_break", "droplet"}) {
-        const Check check = check_long_run(
-            flow, {GetParam(), TensionModel::meniscus, 2, Precision::float32});
-        EXPECT_TRUE(check.passed) << check.hard_case << ", " << check.method << ": "
-                                  << check.result << ", largest error " << check.largest_error
+        const Check check =
+            check_long_run(flow, {GetParam(), TensionModel::meniscus, 2, Precision::float32});
+        EXPECT_TRUE(check.passed) << check.hard_case << ", " << check.method << ": " << check.result
+                                  << ", largest error " << check.largest_error
                                   << "\nexpected: " << check.expected;
     }
 }

@@ -110,8 +110,7 @@ Check check_run(const std::string& flow, const Method& method, const Developed& 
 /// The same time in ten steps and in a hundred.
 Check check_agreement(const std::string& flow, const Method& method, const Developed& developed,
                       double share) {
-    Check check{flow + ", " + share_text(share) + " and " + share_text(share / 10) +
-                    " of the step",
+    Check check{flow + ", " + share_text(share) + " and " + share_text(share / 10) + " of the step",
                 method_text(method),
                 "as far apart after ten of the longer steps as the order of the step says: 1 "
                 "spacing times its share of the stable step, where the fastest particle went 4",
@@ -149,8 +148,7 @@ Check check_long_run(const std::string& flow, const Method& method) {
         return check;
     const double rise = (developed.energy(parts.last) - developed.energy(developed.balance)) /
                         developed.own_energy();
-    check.largest_error =
-        std::abs(parts.last.kinetic_energy / whole.last.kinetic_energy - 1);
+    check.largest_error = std::abs(parts.last.kinetic_energy / whole.last.kinetic_energy - 1);
     check.passed = check.largest_error < 0.15 && rise < 0.03;
     check.result = "energy rises by " + rounded_text(100 * rise, 2) + " %";
     return check;

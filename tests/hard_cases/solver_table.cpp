@@ -19,9 +19,8 @@ struct Row {
 /// Checks of one case, expectation and result in one row.
 void add_to(std::vector<Row>& rows, const Check& check) {
     const auto row = std::find_if(rows.begin(), rows.end(), [&](const Row& other) {
-        return other.check.hard_case == check.hard_case &&
-               other.check.expected == check.expected && other.check.result == check.result &&
-               other.check.passed == check.passed;
+        return other.check.hard_case == check.hard_case && other.check.expected == check.expected &&
+               other.check.result == check.result && other.check.passed == check.passed;
     });
     if (row == rows.end()) {
         rows.push_back({check, {check.method}});
@@ -67,8 +66,8 @@ bool print_sets() {
         for (const HardCase& hard_case : hard_cases(dimension))
             for (const Precision precision : precisions)
                 for (const PressureSolverKind solver : solvers) {
-                    Check check =
-                        check_set(hard_case, {solver, TensionModel::meniscus, dimension, precision});
+                    Check check = check_set(hard_case,
+                                            {solver, TensionModel::meniscus, dimension, precision});
                     check.method += " " + std::to_string(dimension) + "D";
                     add_to(rows, check);
                 }
@@ -90,8 +89,8 @@ bool print_motion() {
                 for (const TensionModel tension : tensions)
                     if (tension == TensionModel::meniscus || solver == PressureSolverKind::dfsph)
                         for (Check check : check_motion({solver, tension, dimension, precision})) {
-                            check.hard_case += ", " + std::to_string(dimension) + "D, " +
-                                               name_of(precision);
+                            check.hard_case +=
+                                ", " + std::to_string(dimension) + "D, " + name_of(precision);
                             add_to(rows, check);
                         }
     std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {

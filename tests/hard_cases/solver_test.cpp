@@ -47,16 +47,15 @@ std::vector<const HardCase*> pointers_to_cases() {
 
 INSTANTIATE_TEST_SUITE_P(HardCases, EverySolver, testing::ValuesIn(pointers_to_cases()),
                          [](const auto& info) {
-                             return info.param->name + "_" +
-                                    std::to_string(info.param->dimension) + "D";
+                             return info.param->name + "_" + std::to_string(info.param->dimension) +
+                                    "D";
                          });
 
 TEST(HardMotion, IsAsExpectedWithEverySolver) {
     for (const int dimension : {2, 3})
         for (const Precision precision : precisions)
             for (const PressureSolverKind solver : solvers)
-                expect_passed(
-                    check_motion({solver, TensionModel::meniscus, dimension, precision}));
+                expect_passed(check_motion({solver, TensionModel::meniscus, dimension, precision}));
 }
 
 TEST(HardMotion, IsAsExpectedWithEveryRivalModel) {
@@ -64,8 +63,8 @@ TEST(HardMotion, IsAsExpectedWithEveryRivalModel) {
         for (const Precision precision : precisions)
             for (const TensionModel tension : tensions)
                 if (tension != TensionModel::meniscus)
-                    expect_passed(check_motion(
-                        {PressureSolverKind::dfsph, tension, dimension, precision}));
+                    expect_passed(
+                        check_motion({PressureSolverKind::dfsph, tension, dimension, precision}));
 }
 
 class StepLengths : public testing::TestWithParam<PressureSolverKind> {};
