@@ -218,7 +218,7 @@ inline UncoveredPart part_of_circle(ExactCoverage& coverage) {
 
 } // namespace exact_coverage
 
-/// What the caps leave uncovered, exact but for rounding: within 1e-12, 1e-9 on lattices, 1e-8
+/// What the caps leave uncovered, exact but for rounding: within 1e-12, 1e-9 on lattices, 1e-7
 /// where many circles all but coincide. All of it where there is no cap.
 template <int Dimension>
 MENISCUS_INLINE UncoveredPart uncovered_part(const CoverageCells& cells, ExactCoverage& coverage) {

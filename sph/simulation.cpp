@@ -86,6 +86,9 @@ void check_time_step(const TimeStepOptions& options) {
            "largest time step must be a number and at least the smallest", options.largest);
 }
 
+/// Support radius over spacing. The lines were trained up to 2.5.
+constexpr double widest_line = 2.75;
+
 /// What read_scene() refuses in a file, for scenes that a program made: numbers that would spoil
 /// the whole fluid.
 void check_numbers(const Scene& scene, const SceneParticles& particles) {
@@ -106,6 +109,12 @@ void check_numbers(const Scene& scene, const SceneParticles& particles) {
     expect(viscosity.xsph >= 0 && viscosity.xsph <= 1, "xsph must be 0 to 1", viscosity.xsph);
     expect(std::isfinite(scene.surface_tension.coefficient),
            "coefficient of surface tension must be finite", scene.surface_tension.coefficient);
+    const bool needs_line = scene.surface_tension.model == TensionModel::meniscus ||
+                            scene.surface_tension.restrict_to_surface;
+    expect(!needs_line || scene.surface_tension.k || ratio <= widest_line,
+           "support radius must be at most 2.75 spacings for the lines that ship, which would take "
+           "its surface for interior; give surface_tension.k and .d, trained for it",
+           ratio);
     if (scene.pressure.solver == PressureSolverKind::wcsph)
         expect_positive(scene.pressure.sound_speed, "sound speed");
     check_time_step(scene.time_step);

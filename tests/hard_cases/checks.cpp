@@ -35,10 +35,8 @@ Snapshot snapshot_in(const HardCase& hard_case) {
     Snapshot snapshot = snapshot_of(hard_case);
     snapshot.position_precision =
         std::is_same_v<Real, float> ? Precision::float32 : Precision::float64;
-    for (Positions* places : {&snapshot.positions, &snapshot.boundary})
-        for (auto& place : *places)
-            for (double& coordinate : place)
-                coordinate = static_cast<double>(static_cast<Real>(coordinate));
+    snapshot.positions = rounded_to<Real>(snapshot.positions);
+    snapshot.boundary = rounded_to<Real>(snapshot.boundary);
     return snapshot;
 }
 

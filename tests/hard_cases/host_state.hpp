@@ -13,6 +13,20 @@ namespace meniscus::test {
 /// Lists reach a little beyond h, as those of hosts that search with a margin.
 inline constexpr double list_margin = 1.01;
 
+/// The positions as Real holds them. By way of an array of Real: with the two conversions in one
+/// expression, g++ 12.2 -O3 drops them for two coordinates of three.
+template <class Real>
+Positions rounded_to(const Positions& places) {
+    std::vector<Real> coordinates;
+    for (const auto& place : places)
+        for (const double coordinate : place)
+            coordinates.push_back(static_cast<Real>(coordinate));
+    Positions rounded(places.size());
+    for (std::size_t n = 0; n < coordinates.size(); ++n)
+        rounded[n / 3][n % 3] = static_cast<double>(coordinates[n]);
+    return rounded;
+}
+
 template <class Real, int Dimension>
 struct HostState {
     using Csr = CsrNeighborhood<Real, Dimension>;

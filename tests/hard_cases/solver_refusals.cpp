@@ -99,6 +99,14 @@ void add_bad_numbers(std::vector<Check>& checks) {
                                   [](Subject& subject) { subject.scene.particle_spacing = 1e-6; }));
 }
 
+void add_unknown_line(std::vector<Check>& checks) {
+    checks.push_back(
+        check_spoilt("wide_support_without_line",
+                     "refused: the lines that ship would find no surface, and no tension would act",
+                     {"support radius", "2.75", "surface_tension.k"},
+                     [](Subject& subject) { subject.scene.particle_spacing = 0.25; }));
+}
+
 void add_far_places(std::vector<Check>& checks) {
     checks.push_back(
         check_spoilt("domain_beyond_float", "refused: float tells places apart by 0.06 h out there",
@@ -172,6 +180,7 @@ void add_leaps(std::vector<Check>& checks) {
 std::vector<Check> check_refusals() {
     std::vector<Check> checks;
     add_bad_numbers(checks);
+    add_unknown_line(checks);
     add_far_places(checks);
     add_fluids_unlike(checks);
     add_leaps(checks);

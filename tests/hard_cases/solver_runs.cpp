@@ -112,6 +112,10 @@ SceneParticles particles_of(const Scene& scene, Positions places, std::vector<Pl
 
 Scene scene_of(const HardCase& hard_case, const Method& method) {
     Scene scene = plain_scene(method, hard_case.support_radius, spacing_of(hard_case));
+    if (scene.support_radius > 2.75 * scene.particle_spacing) { // no line ships: test all exactly
+        scene.surface_tension.k = 0;
+        scene.surface_tension.d = 1e6;
+    }
     if (hard_case.size() == 1) // so that it does not leave the box around itself
         scene.domain = {{{-10, -10, -10}, {10, 10, 10}}};
     return scene;

@@ -81,8 +81,8 @@ TEST(Classifier, MassesThatOverflowMeanSurface) {
     FeatureSum<float, 3> sum;
     sum.count = 10;
     sum.mass = 1e30F;
-    sum.moment[0] = 0.5e38F;
-    EXPECT_TRUE(is_surface(sum, {20.0F, 1.0F}, 1e9F));
+    sum.moment[0] = 3e38F;
+    EXPECT_TRUE(is_surface(sum, {20.0F, 8.0F}, 1e9F)); // 10 neighbors, below 20 * 0.3 + 8
 }
 
 TEST(Classifier, TellsFiniteByBitsUnderFastMathToo) {
