@@ -138,7 +138,7 @@ struct Fluid {
     /// What accelerate() rounded off the velocities, where a step is so short that it matters:
     /// `keeps_rounding`. The velocities of the state hold it.
     std::vector<Row<Real>> rounding;
-    bool keeps_rounding = true; ///< the step before a first one is not known
+    bool keeps_rounding = false;
     std::vector<Row<Real>> acceleration; ///< of all forces but pressure
     std::vector<Real> density;           ///< walls included
     std::vector<Real> wall_density;      ///< the walls' part of it

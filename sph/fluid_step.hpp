@@ -117,6 +117,7 @@ public:
         const double last_step =
             state.time_step > 0 ? std::min(state.time_step, longest) : time_step_for(0, longest);
         const double first_speed = largest_speed(0);
+        fluid.keeps_rounding = is_short(last_step, first_speed);
         const SolveReport divergence =
             solver->remove_divergence(fluid, static_cast<Real>(last_step));
         report.seconds.divergence = clock.lap();
@@ -319,9 +320,7 @@ private:
     /// What the velocities of the state have that those of the fluid have not, after short steps. A
     /// pass of its own: g++ 12 makes 0 of it where it stands beside the rounding.
     void take_rounding(const SimulationState& state) {
-        fluid.rounding.assign(fluid.count, {});
-        if (!fluid.keeps_rounding)
-            return;
+        fluid.rounding.resize(fluid.count);
         const double inverse = 1 / scene.support_radius;
         fluid.loop.each(fluid.count, [&](std::size_t i) {
             const Place& velocity = state.velocities[i];

@@ -39,7 +39,7 @@ std::string methods_text(const Row& row, const std::vector<Row>& rows) {
         return row.methods.size() == 1 ? row.methods[0] : "all";
     std::string text;
     for (const std::string& method : std::set<std::string>(row.methods.begin(), row.methods.end()))
-        text += (text.empty() ? "" : ", ") + method;
+        text += (text.empty() ? "" : "; ") + method;
     return text;
 }
 
