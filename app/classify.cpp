@@ -83,8 +83,10 @@ void add_classify(CLI::App& command) {
     verb->add_option("--boundary", options->boundary,
                      "File with the boundary particles for all inputs, which cover, and count "
                      "where the model says so (default: those that an input holds itself)");
-    verb->add_flag("--skip-invalid", options->skip_invalid,
-                   "Leave particles whose position is not finite out, with valid = 0");
+    verb->add_flag(
+        "--skip-invalid", options->skip_invalid,
+        "Leave particles out, with valid = 0, whose position is not finite or lies too far "
+        "out for its number type");
     add_surface_options(*verb, options->surface);
     add_threads_option(*verb, options->threads);
     add_quiet_option(*verb, options->quiet);

@@ -30,6 +30,7 @@ void add_export(CLI::App& command);
 void add_audit(CLI::App& command);
 void add_classify(CLI::App& command);
 void add_demo(CLI::App& command);
+void add_bench(CLI::App& command); // where the benchmarks are built
 
 /// Adds --quiet to a verb.
 void add_quiet_option(CLI::App& verb, bool& quiet);

@@ -1,13 +1,12 @@
 // meniscus demo: the whole chain on the samples that ship with the project.
 #include "label.hpp"
+#include "shipped_files.hpp"
 
 #include <meniscus/classifier/audit.hpp>
 #include <meniscus/classifier/header_export.hpp>
 #include <meniscus/classifier/trainer.hpp>
-#include <meniscus/data/errors.hpp>
 #include <meniscus/data/snapshot_files.hpp>
 
-#include <algorithm>
 #include <fmt/format.h>
 #include <memory>
 
@@ -19,26 +18,6 @@ struct DemoCommand {
     double label_threshold = 0.02;
     bool quiet = false;
 };
-
-/// The samples of an installed program, else those of the source tree that it was built from.
-std::vector<Path> sample_files() {
-    std::error_code ignored;
-    const Path program = std::filesystem::read_symlink("/proc/self/exe", ignored);
-    const Path installed = program.parent_path().parent_path() / "share/meniscus/samples";
-    const Path folder =
-        std::filesystem::is_directory(installed) ? installed : Path(MENISCUS_SOURCE_SAMPLES);
-    std::vector<Path> files;
-    if (std::filesystem::is_directory(folder))
-        for (const auto& entry : std::filesystem::directory_iterator(folder))
-            if (entry.path().extension() == ".vtkhdf")
-                files.push_back(entry.path());
-    if (files.empty())
-        throw InputError(fmt::format("{}: the sample snapshots are missing; install the project "
-                                     "again or run the demo from its source tree",
-                                     folder.string()));
-    std::sort(files.begin(), files.end());
-    return files;
-}
 
 Model train_on(const std::vector<Path>& labelled, double label_threshold) {
     std::vector<LabelledState> states;
@@ -52,7 +31,7 @@ Model train_on(const std::vector<Path>& labelled, double label_threshold) {
 
 void run_demo(const DemoCommand& command) {
     LabelCommand labelling;
-    labelling.files = {sample_files(), command.folder / "labelled"};
+    labelling.files = {sample_snapshots(), command.folder / "labelled"};
     labelling.quiet = command.quiet;
     if (!command.quiet)
         fmt::print("Labelling {} snapshots:\n", labelling.files.inputs.size());

@@ -177,8 +177,10 @@ void add_label(CLI::App& command) {
                    "Boundary particles count in the features too, each with the mean mass of the "
                    "fluid particles: for a solver whose own sums include them (default: they only "
                    "cover)");
-    verb->add_flag("--skip-invalid", options->label.skip_invalid,
-                   "Leave particles whose position is not finite out, with valid = 0");
+    verb->add_flag(
+        "--skip-invalid", options->label.skip_invalid,
+        "Leave particles out, with valid = 0, whose position is not finite or lies too far "
+        "out for its number type");
     add_threads_option(*verb, options->label.threads);
     add_quiet_option(*verb, options->quiet);
     verb->callback([options, settle_method] {

@@ -61,6 +61,9 @@ int main(int argument_count, char** arguments) {
         meniscus::add_audit(command);
         meniscus::add_classify(command);
         meniscus::add_demo(command);
+#if defined(MENISCUS_HAS_BENCH)
+        meniscus::add_bench(command);
+#endif
         return run(command, argument_count, arguments);
     } catch (const std::exception& error) { // what run() itself cannot report
         std::fprintf(stderr, "meniscus: %s\n", error.what());

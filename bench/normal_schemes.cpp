@@ -48,7 +48,7 @@ void fill_from_scheme(const std::string& name, int dimension, std::size_t sample
                       std::uint64_t seed, SampleDirections& directions) {
     const SamplingScheme scheme = sampling_scheme(name);
     std::vector<std::vector<Direction>> sets(
-        std::min(direction_table_size / samples, sample_directions::most_sets));
+        std::clamp(direction_table_size / samples, std::size_t{1}, sample_directions::most_sets));
     for (std::size_t set = 0; set < sets.size(); ++set) {
         sets[set].resize(samples);
         scheme.fill(dimension, scheme.per_particle ? seed : mix_bits(mix_bits(seed) + set), set,

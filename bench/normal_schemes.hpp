@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -15,26 +16,37 @@ namespace meniscus {
 void fill_from_scheme(const std::string& scheme, int dimension, std::size_t samples,
                       std::uint64_t seed, SampleDirections& directions);
 
-/// A loop that draws new random directions for each particle before it is sampled: the 2019
-/// preprint's way. `directions` must be what is sampled from, and hold one set.
+/// Random directions in place of the first set, a stream of its own for each slot: what the 2019
+/// preprint draws for each particle and step.
+template <int Dimension>
+void draw_directions(std::uint64_t seed, std::size_t slot, SampleDirections& directions) {
+    RandomDirections random(seed, slot);
+    std::array<double, Dimension> direction{};
+    for (std::size_t k = 0; k < directions.stride; ++k) {
+        if (k < directions.samples) // the rest are copies of the last
+            direction = random.next<Dimension>();
+        directions.x[k] = static_cast<float>(direction[0]);
+        directions.y[k] = static_cast<float>(direction[1]);
+        if constexpr (Dimension == 3)
+            directions.z[k] = static_cast<float>(direction[2]);
+    }
+}
+
+/// A loop over the slots from `begin` to `end`, or to their last, that draws new directions before
+/// each. `directions` must be what is sampled from, and hold one set.
 template <int Dimension>
 struct RandomEachTime {
     std::uint64_t seed;
     SampleDirections& directions;
+    std::size_t begin = 0;
+    std::size_t end = std::numeric_limits<std::size_t>::max();
 
     [[nodiscard]] static int workers() { return 1; }
 
     template <class Body>
     void operator()(std::size_t count, Body&& body) const {
-        for (std::size_t slot = 0; slot < count; ++slot) {
-            RandomDirections random(seed, slot);
-            for (std::size_t k = 0; k < directions.samples; ++k) {
-                const auto direction = random.next<Dimension>();
-                directions.x[k] = static_cast<float>(direction[0]);
-                directions.y[k] = static_cast<float>(direction[1]);
-                if constexpr (Dimension == 3)
-                    directions.z[k] = static_cast<float>(direction[2]);
-            }
+        for (std::size_t slot = begin; slot < std::min(end, count); ++slot) {
+            draw_directions<Dimension>(seed, slot, directions);
             body(slot, slot + 1, 0);
         }
     }

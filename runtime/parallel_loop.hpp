@@ -35,17 +35,17 @@ struct SerialLoop {
 
 #if defined(_OPENMP)
 
-/// Chunks of a few hundred particles, taken by whichever thread is free: surface particles cost far
-/// more than others and lie together. What a body throws is thrown on in the calling thread, and no
+/// Chunks of particles, taken by whichever thread is free: surface particles cost far more than
+/// others and lie together. What a body throws is thrown on in the calling thread, and no
 /// other chunk begins after it.
 struct OpenMpLoop {
     int threads = omp_get_max_threads();
+    std::size_t chunk = 256; ///< particles; fewer where each takes long
 
     [[nodiscard]] int workers() const { return threads; }
 
     template <class Body>
     void operator()(std::size_t count, Body&& body) const {
-        constexpr std::size_t chunk = 256;
         const std::size_t chunks = (count + chunk - 1) / chunk;
         std::exception_ptr thrown; // none may leave the parallel region
         std::atomic<bool> goes_on{true};

@@ -107,7 +107,7 @@ Vector3 direction_at(double part, double turn) {
 
 } // namespace sample_directions
 
-/// Fills `directions` with sets of `samples` (1 to most_samples) directions each. The caller's
+/// Fills `directions` with sets of `samples` (at least 1) directions each. The caller's
 /// `direction(set, k)` returns direction k of a set as an array of three doubles, z = 0 in 2D, and
 /// `weight(k)` the part of the sphere that it stands for. Allocates only the first time.
 template <class Direction, class Weight>
@@ -116,7 +116,7 @@ void fill_directions(std::size_t samples, bool outward, const Direction& directi
     using namespace sample_directions;
     directions.samples = samples;
     directions.stride = (samples + block - 1) / block * block;
-    directions.sets = std::min(direction_table_size / samples, most_sets);
+    directions.sets = std::clamp(direction_table_size / samples, std::size_t{1}, most_sets);
     directions.outward = outward;
     for (auto* values : {&directions.x, &directions.y, &directions.z, &directions.weight}) {
         values->reserve(direction_table_size + most_sets * block);
@@ -134,8 +134,8 @@ void fill_directions(std::size_t samples, bool outward, const Direction& directi
         }
 }
 
-/// Outward directions, `samples` (fewest_samples to most_samples) a particle. The same bits
-/// everywhere for the same seed.
+/// Outward directions, `samples` (at least fewest_samples) a particle. The same bits everywhere for
+/// the same seed.
 template <int Dimension>
 void fill_outward_directions(std::size_t samples, std::uint64_t seed,
                              SampleDirections& directions) {

@@ -2,7 +2,7 @@
 // mass offset x and the neighbor count y. Written by `meniscus export`; do not edit.
 //
 // Trained by neyman-pearson; neighbors: same phase only; boundary particles do not count.
-// On its training files it has 0 false negatives and 257861 false positives:
+// On its training files it has 0 false negatives and 274222 false positives:
 //   boxhole_dfsph_04.vtkhdf, scene SurfaceTension_BoxHole_ZR2020: 11616 particles, 2671 surface
 //     sha256 88dad6a2af49e72ca7b4a6ab92831d6a66efd884485edfe3322910c674875a81
 //   boxhole_dfsph_18.vtkhdf, scene SurfaceTension_BoxHole_ZR2020: 11616 particles, 3243 surface
@@ -34,95 +34,95 @@
 //   crown_dfsph_0000.vtkhdf, scene crown_splash: 7751 particles, 783 surface
 //     sha256 44d1a93bf483d2bc1c9d40688041af439fbece080cefbaed222979d2682fa7d5
 //   crown_dfsph_0001.vtkhdf, scene crown_splash: 7751 particles, 794 surface
-//     sha256 3330ec23d91cf42fd9f8489e2cb42161b5df95354fce4612c67a1b8065a47e33
-//   crown_dfsph_0002.vtkhdf, scene crown_splash: 7751 particles, 1099 surface
-//     sha256 ffa4581154f038b351dd38987a643c1618b355a7254170191308c0f08c51794d
-//   crown_dfsph_0003.vtkhdf, scene crown_splash: 7751 particles, 1028 surface
-//     sha256 e9bf9a073cf15b2fe18e6f854bc0e8220527e49bd85b087b6966ff865cacae0f
-//   crown_dfsph_0004.vtkhdf, scene crown_splash: 7751 particles, 1118 surface
-//     sha256 9b0f21cfbd4775fe5e513b33f6d08741bf85ebd30cae71e2a8c1e1f374ade806
+//     sha256 74763727ff2acfd9f0dd19c4c1f6bfb08363ccbcbc52b45257f11a77c6455663
+//   crown_dfsph_0002.vtkhdf, scene crown_splash: 7751 particles, 1109 surface
+//     sha256 ba627325f2c16d81c5a462c3f308f7d5bb43ad4f3e3836bea12fa64018efe9c8
+//   crown_dfsph_0003.vtkhdf, scene crown_splash: 7751 particles, 1030 surface
+//     sha256 218c6e03810d7355678170b0ccd775c61b181f147fe4631fe98e25dc3068a93c
+//   crown_dfsph_0004.vtkhdf, scene crown_splash: 7751 particles, 1091 surface
+//     sha256 e6c156e6f24988ef8e5a4b86ff91ff8327e11eda566eec70e55245d3155302f4
 //   crown_iisph_0000.vtkhdf, scene crown_splash: 7751 particles, 783 surface
 //     sha256 7607c3847b31cd90887851a533d245586f353c912e62dfe10a1d1af622b533aa
-//   crown_iisph_0001.vtkhdf, scene crown_splash: 7751 particles, 846 surface
-//     sha256 da9c72f31206f60996ce5d609fec36afdc799f7626aa4da14d73d8d7ec307318
-//   crown_iisph_0002.vtkhdf, scene crown_splash: 7751 particles, 1087 surface
-//     sha256 baca102901ecd19a6d98629b063439819e58263349387a8ac6e041f5704c1039
+//   crown_iisph_0001.vtkhdf, scene crown_splash: 7751 particles, 838 surface
+//     sha256 aba087c046430a93373e9f816333b848ece439f2f504a354c87a44f9c04101f8
+//   crown_iisph_0002.vtkhdf, scene crown_splash: 7751 particles, 1094 surface
+//     sha256 a39e3d1d3e9862c99d64f57aa887754a99bd2ac43c4c54e959e0e4f173bdb7f2
 //   dam_dfsph_0000.vtkhdf, scene dam_break: 3146 particles, 374 surface
 //     sha256 b6a498eebe5df59d41f7fd413b514284766e97224f451949456ef73802e76ad4
-//   dam_dfsph_0001.vtkhdf, scene dam_break: 3146 particles, 455 surface
-//     sha256 cda0e82ef58bbe1c59041196855ef088940a48bc786fb145b894088c73a1118e
-//   dam_dfsph_0002.vtkhdf, scene dam_break: 3146 particles, 694 surface
-//     sha256 f0aa42b094d03302d275f5f518a13632fe6d9ccfb0c5caade9b6c4b7d8019420
-//   dam_dfsph_0003.vtkhdf, scene dam_break: 3146 particles, 862 surface
-//     sha256 df96f9bd8eabef3fce703e67164a1f653fec292ac782dc54dd9cc68aa1200080
-//   dam_dfsph_0004.vtkhdf, scene dam_break: 3146 particles, 829 surface
-//     sha256 039d753eec84a6b254e2c5c04e7ccede589c758a113475c9eb51acc2d7dd1f82
+//   dam_dfsph_0001.vtkhdf, scene dam_break: 3146 particles, 451 surface
+//     sha256 b4fce7c2fe53c074428e0fdccdc8bf501f79a7d67d237851c61e9ff960c11f85
+//   dam_dfsph_0002.vtkhdf, scene dam_break: 3146 particles, 727 surface
+//     sha256 25bd281b32b254fd05a4370822b91cc8b68de6099efe995fb4622fe983a62179
+//   dam_dfsph_0003.vtkhdf, scene dam_break: 3146 particles, 857 surface
+//     sha256 46b1721cc11aac19e9e73493e300015df6b98fa0ede31dcf4a1e33e189521a9f
+//   dam_dfsph_0004.vtkhdf, scene dam_break: 3146 particles, 825 surface
+//     sha256 9455d69679b7402ca47b669314d1c37253267497feba8ff3c15bf6322d6a8839
 //   dam_wcsph_0000.vtkhdf, scene dam_break: 3146 particles, 374 surface
 //     sha256 df40822d2ca7217446bfff0234c0b1c6a7cb5ab2c581d5fa8d5dccc5b55596e5
-//   dam_wcsph_0001.vtkhdf, scene dam_break: 3146 particles, 459 surface
-//     sha256 fbf81097dba054fea7f17f202a7192494229a31208ad0c86a2e284df98a2e5ef
-//   dam_wcsph_0002.vtkhdf, scene dam_break: 3146 particles, 652 surface
-//     sha256 9a02f33b884379cdfc03dd771150254895f65d9a136963a135dc686a805b0e4d
+//   dam_wcsph_0001.vtkhdf, scene dam_break: 3146 particles, 451 surface
+//     sha256 02fd977ac138e75a2928bfd9041642431291dd35a2200dda0516e465f8e9ba38
+//   dam_wcsph_0002.vtkhdf, scene dam_break: 3146 particles, 646 surface
+//     sha256 197fe8f77bd4db30b58527e80ce43304569cc9c1b710998a94054ddd64841982
 //   double_dam_pcisph_0000.vtkhdf, scene double_dam_break: 3960 particles, 594 surface
 //     sha256 926dbce71db53f6df12c01147202d41206ff0a6b7b88f5f01d01ead95443ed92
-//   double_dam_pcisph_0001.vtkhdf, scene double_dam_break: 3960 particles, 580 surface
-//     sha256 1c2b0b6987ebd54b9b3d45f629a660cf406760921d1f8cca5ed372e8e4c03314
-//   double_dam_pcisph_0002.vtkhdf, scene double_dam_break: 3960 particles, 924 surface
-//     sha256 f12428c9e1ba608be634d08ff8312460d59ce405e31458ba616f64997df679cb
-//   double_dam_pcisph_0003.vtkhdf, scene double_dam_break: 3960 particles, 662 surface
-//     sha256 57d3a03e45d148bb8addfa2c0c0f3b408fcd9d2045b0a0e554216fcea38af0c8
+//   double_dam_pcisph_0001.vtkhdf, scene double_dam_break: 3960 particles, 564 surface
+//     sha256 24959b16cf94161fc1aec4c1c1464a446e286736684c3a91f93700dc528bcb76
+//   double_dam_pcisph_0002.vtkhdf, scene double_dam_break: 3960 particles, 905 surface
+//     sha256 32e482c822ec0fab604afc15176bbfe329739d4349f23518dd398f9fcc7a410e
+//   double_dam_pcisph_0003.vtkhdf, scene double_dam_break: 3960 particles, 664 surface
+//     sha256 a6725701316aa0f0585305a3c75d6c342c76536a786f739d47d9562ad11c1c92
 //   droplet_iisph_0000.vtkhdf, scene double_droplet: 3456 particles, 1256 surface
 //     sha256 629a7cc98076523c22aad80940c08456e16e4282f94362a9370932540fe1d5ed
-//   droplet_iisph_0001.vtkhdf, scene double_droplet: 3456 particles, 1429 surface
-//     sha256 57de24777b5043f50606221984a80039d0cffdf02e24932e5a50f56e8d142447
-//   droplet_iisph_0002.vtkhdf, scene double_droplet: 3456 particles, 1420 surface
-//     sha256 d2e898bb24ba542096eed0bd8e30e0edb09affc2b579f28ee6d15c933b180916
-//   droplet_iisph_0003.vtkhdf, scene double_droplet: 3456 particles, 1362 surface
-//     sha256 7a375fa021677325dc94be9e5ffa9313416f34da378d22726869a775e703fcca
-//   droplet_iisph_0004.vtkhdf, scene double_droplet: 3456 particles, 1371 surface
-//     sha256 0067be22b70fffd3c9fb8bedaa923cd6d8879083459989d571f364a36c27e442
+//   droplet_iisph_0001.vtkhdf, scene double_droplet: 3456 particles, 1389 surface
+//     sha256 99e26d2a64315e94a4833799f14205eb6db819ba274c738d259a488575493009
+//   droplet_iisph_0002.vtkhdf, scene double_droplet: 3456 particles, 1366 surface
+//     sha256 69f62a69088d4f2ad6ccee2a45cfa016997539c06572bde2f9bf5fc8cf921229
+//   droplet_iisph_0003.vtkhdf, scene double_droplet: 3456 particles, 1333 surface
+//     sha256 8a9a58802b9d6d4b2fab0770c3a1671d354b9385923e9a7de653a0677fa53d81
+//   droplet_iisph_0004.vtkhdf, scene double_droplet: 3456 particles, 1328 surface
+//     sha256 603e15e95d43e01a3438951ee2eea1b5830d1c9ee2611cc01867a594b1c08d7f
 //   formation_dfsph_0000.vtkhdf, scene drop_formation: 4096 particles, 1352 surface
 //     sha256 33893b0c36eea5a403c736e0caa5ebe01d7dd603109fa4e3d5c4b69bd39db87f
-//   formation_dfsph_0001.vtkhdf, scene drop_formation: 4096 particles, 1437 surface
-//     sha256 8b63497b55b1c47ce9549a7626cc5dc5dceb43c2e7b0dbe09878b26653000c36
-//   formation_dfsph_0002.vtkhdf, scene drop_formation: 4096 particles, 1430 surface
-//     sha256 d00695a8a92a73fd96cdedaf8a95f21a350cde68f66ef4a487862a5ca9a7afa8
-//   formation_dfsph_0003.vtkhdf, scene drop_formation: 4096 particles, 1409 surface
-//     sha256 ba900628c234d56a0e0ec04bf3a0fd5f8e48e1a234757d949614753038065620
+//   formation_dfsph_0001.vtkhdf, scene drop_formation: 4096 particles, 1380 surface
+//     sha256 3a0281232cba4af5373a73440003b8e1186bb17ad6bf9cd1253d5a5fae6ec7ce
+//   formation_dfsph_0002.vtkhdf, scene drop_formation: 4096 particles, 1379 surface
+//     sha256 379d6c8a7852f8fe307006bf9e38fc1b10c47ba0db409ee26487a600d896f5c0
+//   formation_dfsph_0003.vtkhdf, scene drop_formation: 4096 particles, 1379 surface
+//     sha256 acf9a950532f4bad179f2177a546ecaef74ed9f8e6f087e6617d1bdf2a325e89
 //   glass_dfsph_0000.vtkhdf, scene water_glass: 4608 particles, 1542 surface
 //     sha256 c14ce5ff8f75b81bc404903418127d1c25cc3e27e1ccfd893de2b751e5fdd06c
-//   glass_dfsph_0001.vtkhdf, scene water_glass: 4608 particles, 960 surface
-//     sha256 0679ef7f2ac2534a5c033a2ec062face8cb57f7b788f0f56abce61ef51cf8f0a
-//   glass_dfsph_0002.vtkhdf, scene water_glass: 4608 particles, 1822 surface
-//     sha256 354ca7370565e6a9efb88cb87aa847e2d0f7ccf171291819772ece4f4bb434ea
-//   glass_dfsph_0003.vtkhdf, scene water_glass: 4608 particles, 2393 surface
-//     sha256 8fe3c1ed6ecbe63022d6e728ceaba66fbf6e3d0f653f6a3d86e48b3d902babb5
-//   glass_dfsph_0004.vtkhdf, scene water_glass: 4608 particles, 2972 surface
-//     sha256 c9148e8467fd0cbd7c9a8339ce3963c8b8f43676241244093a012ca4eb051397
+//   glass_dfsph_0001.vtkhdf, scene water_glass: 4608 particles, 945 surface
+//     sha256 4480d6b989ce52f56c2f1af11e63a6a552d92b99eced10e4b29481c615e37f0b
+//   glass_dfsph_0002.vtkhdf, scene water_glass: 4608 particles, 1798 surface
+//     sha256 5292f81e2c30aece81f40c49b4fe866b4c08838e3892e191790eea3bb22f3227
+//   glass_dfsph_0003.vtkhdf, scene water_glass: 4608 particles, 2348 surface
+//     sha256 6dfd3a32f335e63c07411d0ca2fc3f690f3e3ebf11c78c1213bed263dd3a0fcd
+//   glass_dfsph_0004.vtkhdf, scene water_glass: 4608 particles, 2954 surface
+//     sha256 4f48bf8883bc031addc7abd0142aeb68965274366162bab6d47c123748e61ebf
 //   hole_dfsph_0000.vtkhdf, scene box_with_hole: 3136 particles, 268 surface
 //     sha256 aff50c928e67a6cfa63d8c615d52f16b8cfa8bbf3edf2bef453f9870aaaee1da
-//   hole_dfsph_0001.vtkhdf, scene box_with_hole: 3136 particles, 636 surface
-//     sha256 b9ad25f0c1e21ee36b1c556b84ebf0ecef5614e6f4f246139093e3daef40e957
-//   hole_dfsph_0002.vtkhdf, scene box_with_hole: 3136 particles, 884 surface
-//     sha256 6ff345455887f330d06bacdd9e7ee30070ebf8cfc189c92951264a9226eba4eb
-//   hole_dfsph_0003.vtkhdf, scene box_with_hole: 3136 particles, 1016 surface
-//     sha256 dafc3c94adb3547d0616520a15c94b88599460dcfca87c9cb1f168480cd7eb45
+//   hole_dfsph_0001.vtkhdf, scene box_with_hole: 3136 particles, 629 surface
+//     sha256 db6035cbb12e0aee5bc504ad8378ad986b1d44a6c6814082180d2696c03eec64
+//   hole_dfsph_0002.vtkhdf, scene box_with_hole: 3136 particles, 870 surface
+//     sha256 b2bae91b7a19f18ab0de4fb12eb2089344d8aefe0a1990fc9ab09a38ffba07ab
+//   hole_dfsph_0003.vtkhdf, scene box_with_hole: 3136 particles, 1018 surface
+//     sha256 ae90218fa1e1d734732ffc019ff1c7daf04369583c99b866e1dc061a44853d65
 //   obstacle_dfsph_0000.vtkhdf, scene dam_break_with_obstacle: 3146 particles, 374 surface
 //     sha256 cb457b5a95e2f1526ed400516cbb4430feb599315bb6fa0ad50a37cc8b47bdee
-//   obstacle_dfsph_0001.vtkhdf, scene dam_break_with_obstacle: 3146 particles, 497 surface
-//     sha256 07707215305915a16b146f24642a235ec2482be1927dd9ebd6aca0f641e31748
-//   obstacle_dfsph_0002.vtkhdf, scene dam_break_with_obstacle: 3146 particles, 1114 surface
-//     sha256 59a76fd2a871ffea6c17d2a4aa8ac9fabaa76ba9536bf0c91cb29986a74a001a
-//   obstacle_dfsph_0003.vtkhdf, scene dam_break_with_obstacle: 3146 particles, 928 surface
-//     sha256 8b1837f9ba492c3d361447118d71f86f4f316a50748cac5234316dbf4abd7e1a
+//   obstacle_dfsph_0001.vtkhdf, scene dam_break_with_obstacle: 3146 particles, 493 surface
+//     sha256 7b291b1ffc2802271080dcce505b630787b05fe65975bc9d23074b720ae293fa
+//   obstacle_dfsph_0002.vtkhdf, scene dam_break_with_obstacle: 3146 particles, 1119 surface
+//     sha256 dab6a9fc099c86f19c0700f1f08ec010d57fdd5a5f402f6799475ebdc634354b
+//   obstacle_dfsph_0003.vtkhdf, scene dam_break_with_obstacle: 3146 particles, 876 surface
+//     sha256 c421c6e43e4e6021c0ff268b5fd7aed464b2613eafbd6b0e778a50f9cb24a9a9
 //   sphere_dfsph_0000.vtkhdf, scene fluid_over_sphere: 5120 particles, 1592 surface
 //     sha256 7d9265c1dd26abbdbeb8cdc46c3b23c685b5f200508fd01150c76fd2b95c42d3
-//   sphere_dfsph_0001.vtkhdf, scene fluid_over_sphere: 5120 particles, 1533 surface
-//     sha256 bd79c9739cc4c35f8534798aa66277e62b2fd5fe2174d172608cf2c38c4c9423
-//   sphere_dfsph_0002.vtkhdf, scene fluid_over_sphere: 5120 particles, 4108 surface
-//     sha256 062e7856a66b2d6e0722cc81aea78f391b44af3fe38342f75e4287f0be17bcc7
-//   sphere_dfsph_0003.vtkhdf, scene fluid_over_sphere: 5120 particles, 3595 surface
-//     sha256 9e510582c077d474a7e5fef998687d13fd0256325dce667bc43dfe380bd46d3d
+//   sphere_dfsph_0001.vtkhdf, scene fluid_over_sphere: 5120 particles, 1536 surface
+//     sha256 f2c3af9b2f759c5aef0cb9e39cf331eaf6f8ecd61fe865389793ab01b123e39a
+//   sphere_dfsph_0002.vtkhdf, scene fluid_over_sphere: 5120 particles, 4132 surface
+//     sha256 d4d749c39d335f51a03d5ca32cabacab7da0ba27e9e72bc7f5f197acf70ef867
+//   sphere_dfsph_0003.vtkhdf, scene fluid_over_sphere: 5120 particles, 3609 surface
+//     sha256 8650e275e603a52457001892e6a82fa1eee6769d761412839ad0d89dce4bee39
 //   tank_dfsph_0000.vtkhdf, scene resting_tank: 2560 particles, 256 surface
 //     sha256 8ec6eaf6ea9a7aead07aaeb5767762dc153441fc05c8638409b1e029a15a6fd5
 //   tank_dfsph_0001.vtkhdf, scene resting_tank: 2560 particles, 320 surface
@@ -130,16 +130,16 @@
 //   tank_dfsph_0002.vtkhdf, scene resting_tank: 2560 particles, 460 surface
 //     sha256 670efdc4b232a1fb649d9cc5104d9aeaae461e69e0c476b73f62fada85c83c51
 // clang-format off
-#ifndef MENISCUS_COEFFICIENTS_7CFE603A35C590A5
-#define MENISCUS_COEFFICIENTS_7CFE603A35C590A5
+#ifndef MENISCUS_COEFFICIENTS_B5E4298AC27FC528
+#define MENISCUS_COEFFICIENTS_B5E4298AC27FC528
 
 namespace meniscus {
 
 struct StrictSurfaceCoefficients {
     /// Slope, in neighbors per unit of mass offset
-    static constexpr double k = 537.4402441617895;
-    /// Neighbors, 0.00294 of them for rounding
-    static constexpr double d = 25.966086598510927;
+    static constexpr double k = 947.2069814489273;
+    /// Neighbors, 0.00499 of them for rounding
+    static constexpr double d = 19.12861954578098;
     static constexpr int dimension = 3;
     /// r2 / r1 of the labels; neighbors closer than r1 - r2 do not count
     static constexpr double radius_ratio = 0.8;

@@ -1,16 +1,19 @@
 #!/usr/bin/env bash
 # Installs from Debian's packages what building and testing need and the machine lacks. Needs root,
-# or sudo. `scripts/setup.sh build` leaves out what only the tests need.
+# or sudo. `scripts/setup.sh build` leaves out what only benchmarks and tests need,
+# `scripts/setup.sh bench` what only the tests need.
 set -euo pipefail
 
 build_packages=(
     cmake g++ ninja-build
     libcli11-dev libfmt-dev libhdf5-dev libhwy-dev libssl-dev libtorch-dev zlib1g-dev
     nlohmann-json3-dev)
-test_packages=(clang libbenchmark-dev libclang-rt-dev libeigen3-dev libgtest-dev python3-numpy python3-vtk9)
+bench_packages=(gnuplot-nox libbenchmark-dev libeigen3-dev libqhull-dev)
+test_packages=(clang libclang-rt-dev libgtest-dev python3-numpy python3-vtk9)
 
 wanted=("${build_packages[@]}")
-[ "${1:-all}" = build ] || wanted+=("${test_packages[@]}")
+[ "${1:-all}" = build ] || wanted+=("${bench_packages[@]}")
+[ "${1:-all}" != all ] || wanted+=("${test_packages[@]}")
 
 missing=()
 for package in "${wanted[@]}"; do

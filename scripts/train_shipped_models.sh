@@ -13,13 +13,17 @@ for kind in training_3d wide_training_3d training_2d wide_training_2d; do
     scripts/make_states.sh "$kind" "$labelled/$kind" "$meniscus"
 done
 
-# ship STATES MODEL HEADER STRUCT [OPTIONS OF TRAIN]; STATES: one or more folders in one word
-ship() {
+# fit STATES MODEL [OPTIONS OF TRAIN]; STATES: one or more folders in one word
+fit() {
     local files=() folder
     for folder in $1; do
         files+=("$labelled/$folder"/*.vtkhdf)
     done
-    "$meniscus" train "${files[@]}" -o "configs/models/$2.json" "${@:5}"
+    "$meniscus" train "${files[@]}" -o "configs/models/$2.json" "${@:3}"
+}
+# ship STATES MODEL HEADER STRUCT [OPTIONS OF TRAIN]: the same with its header
+ship() {
+    fit "$1" "$2" "${@:5}"
     "$meniscus" export "configs/models/$2.json" -o "runtime/$3.hpp" --name "$4" --quiet
 }
 ship "samples training_3d" surface_3d surface_coefficients SurfaceCoefficients --label-threshold 0.02
@@ -32,6 +36,11 @@ ship wide_training_3d surface_3d_wide wide_surface_coefficients WideSurfaceCoeff
 ship training_2d surface_2d surface_coefficients_2d SurfaceCoefficients2D --label-threshold 0
 ship wide_training_2d surface_2d_wide wide_surface_coefficients_2d WideSurfaceCoefficients2D \
     --label-threshold 0
+
+# The other objectives, for comparison (meniscus bench); they need libtorch.
+for objective in logistic network; do
+    fit "samples training_3d" "surface_3d_$objective" --label-threshold 0.02 --objective $objective
+done
 
 # ship_curvature CONFIG MODEL HEADER: maps of curvature, from clouds; needs libtorch.
 ship_curvature() {

@@ -4,7 +4,7 @@
 # idle machine, sampling and normals Debian's python3-matplotlib.
 # Usage: scripts/update_docs.sh [TABLES]   (default: all)
 # TABLES: accuracy, own-scenes (runs scenes for some ten minutes), speed, sampling, force,
-# surface-speed, normals, curvature, scenes, simulation or step-speed
+# surface-speed, normals, curvature, scenes, simulation, step-speed or hard-cases
 set -euo pipefail
 cd "$(dirname "$0")/.."
 bin=build/release/bin
@@ -112,4 +112,16 @@ if wanted step-speed; then
     for table in stages scaling; do
         "$bin/step_speed" "$table" configs/scenes | replace docs/simulation.md "$table"
     done
+fi
+if wanted hard-cases; then
+    "$bin/hard_cases_table" | replace docs/hard_cases.md hard-cases
+    {
+        echo "| arithmetic | particles | changed by coverage | lambda up to | changed by the line |" \
+            "from the line up to | largest error of lambda | outside |"
+        echo "|---|---|---|---|---|---|---|---|"
+        "$bin/rounding_table" "plain" data/samples
+        "$bin/rounding_table_native" "-march=native -ffp-contract=fast" data/samples
+        "$bin/rounding_table_fast_math" "-ffast-math" data/samples
+        "$bin/rounding_table_native_fast_math" "-march=native -ffast-math" data/samples
+    } | replace docs/hard_cases.md rounding
 fi

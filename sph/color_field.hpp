@@ -48,6 +48,29 @@ MENISCUS_INLINE ColorDerivatives<Real> color_derivatives(const CubicSpline<Real,
     return {kernel.sigma * slope, kernel.sigma * (bend + Real(Dimension - 1) * slope)};
 }
 
+/// The color field around a particle.
+template <class Real>
+struct ColorField {
+    Row<Real> gradient; ///< times h; points into the fluid
+    Real laplacian;     ///< times h^2
+};
+
+/// Of particle i; places must hold the volumes m / rho beside them.
+template <class Real, int Dimension, class Kernel>
+MENISCUS_INLINE ColorField<Real> color_field_at(const Fluid<Real, Dimension>& fluid, std::size_t i,
+                                                const Kernel& kernel) {
+    const Lanes<Real> first{1, 0, 0, 0, 0, 0, 0, 0};
+    VectorSum<Real, Dimension> gradient;
+    Lanes<Real> laplacian =
+        first * fluid.place[i].w * color_derivatives(kernel, Lanes<Real>{}).laplacian;
+    visit_neighbors(fluid, i, [&](const NeighborLanes<Real, Dimension>& lanes) {
+        const auto derivatives = color_derivatives(kernel, lanes.distance_squared);
+        gradient.add(lanes.w * derivatives.gradient, lanes.step);
+        laplacian += lanes.w * derivatives.laplacian;
+    });
+    return {gradient.total(), sum_of_lanes<Real>(laplacian)};
+}
+
 template <class Real, int Dimension>
 class ColorFieldTension : public SurfaceTensionModel<Real, Dimension> {
 public:
@@ -62,22 +85,12 @@ public:
             static_cast<Real>(this->options.coefficient / (fluid.units.rest_density * h * h * h));
         with_kernel<Real, Dimension>(fluid.kernel, [&](auto kernel) {
             fluid.loop.each(fluid.count, [&](std::size_t i) {
-                const Lanes<Real> first{1, 0, 0, 0, 0, 0, 0, 0};
-                VectorSum<Real, Dimension> gradient;
-                Lanes<Real> laplacian =
-                    first * fluid.place[i].w * color_derivatives(kernel, Lanes<Real>{}).laplacian;
-                visit_neighbors(fluid, i, [&](const NeighborLanes<Real, Dimension>& lanes) {
-                    const auto derivatives = color_derivatives(kernel, lanes.distance_squared);
-                    gradient.add(lanes.w * derivatives.gradient, lanes.step);
-                    laplacian += lanes.w * derivatives.laplacian;
-                });
-                const Row<Real> normal = gradient.total();
+                const auto [normal, laplacian] = color_field_at(fluid, i, kernel);
                 const Real length = std::sqrt(dot_rows(normal, normal));
                 if (length > static_cast<Real>(least_color_gradient))
                     fluid.acceleration[i] =
                         plus(fluid.acceleration[i],
-                             -sigma * sum_of_lanes<Real>(laplacian) / (fluid.density[i] * length),
-                             normal);
+                             -sigma * laplacian / (fluid.density[i] * length), normal);
             });
         });
     }

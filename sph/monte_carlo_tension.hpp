@@ -100,8 +100,12 @@ public:
 
     /// `spacing`: of the particles at rest, in support radii.
     MonteCarloTension(const TensionOptions& model_options, const StepUnits& units, double spacing)
-        : SurfaceTensionModel<Real, Dimension>(model_options),
-          tension(tension_settings<Dimension>(model_options, units, spacing)) {}
+        : MonteCarloTension(model_options,
+                            tension_settings<Dimension>(model_options, units, spacing)) {}
+
+    /// With the runtime's options as they are; of the model's, balance_momentum alone counts.
+    MonteCarloTension(const TensionOptions& model_options, const SurfaceTensionOptions& settings)
+        : SurfaceTensionModel<Real, Dimension>(model_options), tension(settings) {}
 
     void add_accelerations(FluidType& fluid) override {
         find_surface_forces(fluid);

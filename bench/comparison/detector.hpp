@@ -4,6 +4,7 @@
 
 #include "comparison/fluid_state.hpp"
 
+#include <filesystem>
 #include <functional>
 
 namespace meniscus {
@@ -24,13 +25,15 @@ struct Detector {
     bool is_slow = false;    ///< takes more than some microseconds a particle: measured fewer times
 };
 
-/// All detectors for a dimension of 2 or 3, in the order of the tables.
+/// All detectors for a dimension of 2 or 3, in the order of the tables. `models` is the folder of
+/// the model files that ship; throws as read_model does where one is missing.
 template <class Real>
-std::vector<Detector<Real>> detectors(int dimension);
+std::vector<Detector<Real>> detectors(int dimension, const std::filesystem::path& models);
 
 // The detectors themselves, a file each.
 template <class Real>
-void add_line_detectors(int dimension, std::vector<Detector<Real>>& all);
+void add_line_detectors(int dimension, const std::filesystem::path& models,
+                        std::vector<Detector<Real>>& all);
 template <class Real>
 void add_coverage_detectors(int dimension, std::vector<Detector<Real>>& all);
 template <class Real>

@@ -1,6 +1,6 @@
 // The figures of a comparison: a table of one row a method, printed as Markdown, kept as JSON, and
-// plotted as time against error. A method is among the best where no other is both as fast and as
-// accurate, and better in one of the two (Pareto).
+// plotted (plot.hpp). A method is among the best where no other is as good in every figure, and
+// better in one (Pareto).
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -49,24 +49,5 @@ std::string markdown(const Table& table);
 /// {"name", "title", "columns": [{"key", "heading"}], "rows": [{key: value}]}; a RepeatedTime is an
 /// object of median, lower and upper, and an empty cell is null.
 nlohmann::json to_json(const Table& table);
-
-/// One plot of a table: both axes logarithmic where said; rows of one text in column `series` share
-/// a color and a legend entry; rows marked best are drawn filled and joined where `joined`.
-struct Plot {
-    std::string file; ///< name, ending in .svg
-    std::string title;
-    std::string x;      ///< key of a column
-    std::string y;      ///< key of a column
-    std::string series; ///< key of a column of texts
-    std::string label;  ///< key of a column of texts that name the points; empty: no names
-    std::string panel;  ///< key of a column of texts: one picture beside another for each; or empty
-    bool logarithmic_x = true;
-    bool logarithmic_y = true;
-    bool joined = false; ///< lines through the rows of a series, in their order
-};
-
-/// Draws the plot as SVG with gnuplot; an existing file is replaced. On logarithmic axes zeros lie
-/// on the axis, marked so. Throws FailureError where gnuplot is missing or fails.
-void draw(const Table& table, const Plot& plot, const std::string& folder);
 
 } // namespace meniscus

@@ -22,7 +22,8 @@ struct TimingOptions {
 /// Wall time of one run of each, in s.
 std::vector<RepeatedTime> measure(const std::vector<Timed>& all, const TimingOptions& options);
 
-/// Processor, cores, compiler and flags, instruction sets: what the figures belong to.
+/// What the figures belong to: {"processor", "cores", "caches", "compiler", "build",
+/// "vectors_of_labels"}.
 nlohmann::json machine();
 
 } // namespace meniscus

@@ -21,6 +21,29 @@ TEST(ClassifySnapshot, MatchesTheExampleWorkedOutByHand) {
     EXPECT_TRUE(classes.warnings.empty());
 }
 
+TEST(ClassifySnapshot, RefusesOrDoubtsPlacesFarOutInFloat) {
+    const auto moved = [](double distance) {
+        Snapshot snapshot = chain();
+        snapshot.position_precision = Precision::float32;
+        for (auto& position : snapshot.positions)
+            position[1] += distance * *snapshot.support_radius;
+        return snapshot;
+    };
+    const Model model = chain_model();
+    EXPECT_TRUE(classify_snapshot(moved(100), model, {true, 1}).warnings.empty());
+    const auto doubted = classify_snapshot(moved(1e4), model, {true, 1}).warnings;
+    ASSERT_EQ(doubted.size(), 1U);
+    expect_mentions(doubted[0], {"particle 0", "single precision", "doubtful"});
+    EXPECT_EQ(classify_snapshot(moved(1e6), model, {true, 1}).valid,
+              std::vector<std::uint8_t>(moved(0).size(), 0));
+    Snapshot all_finite = moved(1e6);
+    all_finite.positions.back() = all_finite.positions.front();
+    expect_mentions(error_of<InputError>([&] {
+                        classify_snapshot(all_finite, model, {false, 1});
+                    }),
+                    {"lie so far from the origin that single precision", "--skip-invalid"});
+}
+
 TEST(ClassifySnapshot, WorksInTwoDimensions) {
     Snapshot snapshot = chain();
     snapshot.dimension = 2;

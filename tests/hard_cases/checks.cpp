@@ -40,6 +40,13 @@ Snapshot snapshot_in(const HardCase& hard_case) {
     return snapshot;
 }
 
+std::vector<double> labels_of(const HardCase& hard_case) {
+    LabelOptions options;
+    options.threads = 1;
+    return label_particles(snapshot_of(hard_case), hard_case.support_radius, options)
+        .uncovered_fraction;
+}
+
 /// What is known of a case before any method runs on it.
 template <class Real, int Dimension>
 struct Subject {
@@ -49,9 +56,7 @@ struct Subject {
     double resolution;
 
     explicit Subject(const HardCase& hard)
-        : hard_case(hard), state(hard),
-          truth(label_particles(snapshot_of(turned_about_first(hard, 17)), hard.support_radius, {})
-                    .uncovered_fraction),
+        : hard_case(hard), state(hard), truth(labels_of(turned_about_first(hard, 17))),
           resolution(resolution_of<Real>(hard)) {
         if (hard.uncovered_fraction >= 0)
             truth.assign(hard.size(), hard.uncovered_fraction);

@@ -89,8 +89,9 @@ bool print_motion() {
                 for (const TensionModel tension : tensions)
                     if (tension == TensionModel::meniscus || solver == PressureSolverKind::dfsph)
                         for (Check check : check_motion({solver, tension, dimension, precision})) {
-                            check.hard_case +=
-                                ", " + std::to_string(dimension) + "D, " + name_of(precision);
+                            check.hard_case += ", " + name_of(precision);
+                            check.method = name_of(solver) + " " + name_of(tension) + " " +
+                                           std::to_string(dimension) + "D";
                             add_to(rows, check);
                         }
     std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {

@@ -74,7 +74,7 @@ void test_sets(std::size_t samples) {
 }
 
 TEST(SampleDirections, AreUnitVectorsWhoseWeightsAddUpToOne) {
-    for (const std::size_t samples : {4, 5, 9, 10, 11, 60, 128, 1000, 16384}) {
+    for (const std::size_t samples : {4, 5, 9, 10, 11, 60, 128, 1000, 16384, 20000}) {
         test_sets<2>(samples);
         test_sets<3>(samples);
     }

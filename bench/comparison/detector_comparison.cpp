@@ -1,0 +1,133 @@
+#include "comparison/detector_comparison.hpp"
+
+#include <deque>
+#include <map>
+
+namespace meniscus {
+namespace {
+
+/// The label threshold that the shipped line is trained with.
+constexpr double plain_fraction = 0.02;
+
+struct Errors {
+    std::size_t false_negatives = 0;
+    std::size_t plain_ones = 0;     ///< of them, with more than plain_fraction uncovered
+    double missed_area = 0;         ///< percent
+    double false_positive_rate = 0; ///< percent, mean over scenes
+};
+
+/// A detector on all states, made ready.
+struct Run {
+    const std::vector<FluidState<float>>* states;
+    std::vector<Detection> detections;
+    std::vector<std::vector<std::uint8_t>> surface; ///< of each state
+
+    Run(const Detector<float>& detector, const std::vector<FluidState<float>>& on, int threads)
+        : states(&on), surface(on.size()) {
+        for (const auto& state : on)
+            detections.push_back(detector.prepare(state, threads));
+    }
+
+    void operator()() {
+        for (std::size_t s = 0; s < detections.size(); ++s)
+            detections[s](surface[s]);
+    }
+
+    [[nodiscard]] Errors errors() const {
+        Errors errors;
+        double missed = 0;
+        double area = 0;
+        std::map<std::string, std::array<double, 2>> of_scene; // false positives, particles
+        for (std::size_t s = 0; s < states->size(); ++s) {
+            const auto& state = (*states)[s];
+            auto& [let_through, particles] = of_scene[state.scene];
+            particles += static_cast<double>(state.size());
+            for (std::size_t i = 0; i < state.size(); ++i) {
+                area += state.uncovered_fraction[i];
+                if (state.surface[i] != 0 && surface[s][i] == 0) {
+                    ++errors.false_negatives;
+                    errors.plain_ones += state.uncovered_fraction[i] > plain_fraction ? 1 : 0;
+                    missed += state.uncovered_fraction[i];
+                }
+                let_through += state.surface[i] == 0 && surface[s][i] != 0 ? 1 : 0;
+            }
+        }
+        for (const auto& [scene, counts] : of_scene)
+            errors.false_positive_rate +=
+                100 * counts[0] / counts[1] / static_cast<double>(of_scene.size());
+        errors.missed_area = area > 0 ? 100 * missed / area : 0;
+        return errors;
+    }
+};
+
+RepeatedTime per_particle(RepeatedTime seconds, double particles) {
+    const double scale = 1e9 / particles;
+    return {seconds.median * scale, seconds.lower * scale, seconds.upper * scale};
+}
+
+/// A detector's places among what is timed, and its errors.
+struct Row {
+    std::size_t serial;
+    std::optional<std::size_t> parallel;
+    Errors errors;
+};
+
+Table empty_table(int dimension, int threads) {
+    const std::string name = std::to_string(dimension) + "d";
+    return {"detectors_" + name,
+            "Surface detectors in " + std::to_string(dimension) + "D",
+            {{"number", "no."},
+             {"detector", "detector"},
+             {"group", "group"},
+             {"false_negatives", "false negatives", 9},
+             {"false_negatives_plain", "of them over 2 % uncovered", 9},
+             {"missed_area", "missed area, %", 2},
+             {"false_positive_rate", "false positives, %"},
+             {"time", "ns a particle, 1 thread"},
+             {"time_parallel", "ns a particle, " + std::to_string(threads) + " threads"},
+             {"source", "source"}},
+            {}};
+}
+
+} // namespace
+
+Table compare_detectors(const std::vector<FluidState<float>>& states,
+                        const std::vector<Detector<float>>& all, int threads,
+                        const TimingOptions& timing) {
+    double particles = 0;
+    for (const auto& state : states)
+        particles += static_cast<double>(state.size());
+    std::deque<Run> runs; // which do not move
+    std::vector<Timed> timed;
+    const auto add = [&](const Detector<float>& detector, int number) {
+        Run& run = runs.emplace_back(detector, states, number);
+        timed.push_back({[&run] { run(); }, detector.is_slow});
+        return timed.size() - 1;
+    };
+    std::vector<Row> rows;
+    for (const auto& detector : all) {
+        Row row{add(detector, 1), std::nullopt, {}};
+        runs.back()();
+        row.errors = runs.back().errors();
+        if (threads > 1 && detector.is_parallel)
+            row.parallel = add(detector, threads);
+        rows.push_back(row);
+    }
+    const auto times = measure(timed, timing);
+    Table table = empty_table(states[0].dimension, threads);
+    for (std::size_t d = 0; d < all.size(); ++d) {
+        const auto& [serial, parallel, errors] = rows[d];
+        Cell parallel_time;
+        if (parallel)
+            parallel_time = per_particle(times[*parallel], particles);
+        table.rows.push_back({std::to_string(d + 1), all[d].name, all[d].group,
+                              static_cast<double>(errors.false_negatives),
+                              static_cast<double>(errors.plain_ones), errors.missed_area,
+                              errors.false_positive_rate, per_particle(times[serial], particles),
+                              parallel_time, all[d].source});
+    }
+    mark_best(table, {"time", "false_negatives", "false_positive_rate"});
+    return table;
+}
+
+} // namespace meniscus

@@ -1,0 +1,76 @@
+#include "comparison/fluid_state.hpp"
+
+#include <meniscus/data/errors.hpp>
+#include <meniscus/data/snapshot_files.hpp>
+#include <meniscus/labeler/labeler.hpp>
+#include <meniscus/runtime/angles.hpp>
+
+#include <algorithm>
+
+namespace meniscus {
+namespace {
+
+/// The cubic spline of radius 1, with its integral over the plane or over space equal to 1.
+double cubic_spline(double distance, int dimension) {
+    const double scale = dimension == 2 ? 40 / (7 * pi) : 8 / pi;
+    if (distance >= 1)
+        return 0;
+    const double rest = 1 - distance;
+    return scale * (distance <= 0.5 ? 1 - 6 * distance * distance * rest : 2 * rest * rest * rest);
+}
+
+double median_volume(const Snapshot& snapshot, const NeighborLists& lists, double h) {
+    std::vector<double> sums(snapshot.size(), cubic_spline(0, snapshot.dimension));
+    const CsrNeighborhood<double, 3> view{snapshot.positions[0].data(), nullptr,
+                                          lists.offsets.data(), lists.neighbors.data()};
+    for (std::size_t i = 0; i < snapshot.size(); ++i)
+        view(i, [&](std::size_t, const auto& step, double) {
+            const double distance = std::sqrt(squared_length<double, 3>(step)) / h;
+            sums[i] += cubic_spline(distance, snapshot.dimension);
+        });
+    const auto middle = sums.begin() + static_cast<std::ptrdiff_t>(sums.size() / 2);
+    std::nth_element(sums.begin(), middle, sums.end());
+    return (snapshot.dimension == 2 ? h * h : h * h * h) / *middle;
+}
+
+} // namespace
+
+template <class Real>
+FluidState<Real> fluid_state(const Snapshot& snapshot, const std::string& name) {
+    if (snapshot.size() == 0)
+        throw InputError(name + ": has no particles, so there is nothing to compare on it");
+    if (!snapshot.support_radius)
+        throw InputError(name + ": stores no support radius that serves all particles, which a "
+                                "comparison needs; `meniscus label --support-radius H` stores one");
+    const double h = *snapshot.support_radius;
+    Snapshot fluid = snapshot;
+    fluid.boundary.clear();
+    const Labels labels = label_particles(fluid, h, {});
+    FluidState<Real> state;
+    state.name = name;
+    state.dimension = snapshot.dimension;
+    state.lists = find_neighbors(snapshot.positions, h);
+    state.support_radius = static_cast<Real>(h);
+    state.particle_volume = static_cast<Real>(median_volume(snapshot, state.lists, h));
+    state.uncovered_fraction = labels.uncovered_fraction;
+    state.surface = labels.surface;
+    for (const auto& position : snapshot.positions)
+        for (int axis = 0; axis < snapshot.dimension; ++axis)
+            state.positions.push_back(static_cast<Real>(position[static_cast<std::size_t>(axis)]));
+    return state;
+}
+
+template <class Real>
+FluidState<Real> read_fluid_state(const std::filesystem::path& file) {
+    const Snapshot snapshot = read_snapshot(file);
+    auto state = fluid_state<Real>(snapshot, file.stem().string());
+    state.scene = scene_of(snapshot, file);
+    return state;
+}
+
+template FluidState<float> fluid_state(const Snapshot&, const std::string&);
+template FluidState<double> fluid_state(const Snapshot&, const std::string&);
+template FluidState<float> read_fluid_state(const std::filesystem::path&);
+template FluidState<double> read_fluid_state(const std::filesystem::path&);
+
+} // namespace meniscus

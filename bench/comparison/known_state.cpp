@@ -1,0 +1,33 @@
+#include "comparison/known_state.hpp"
+
+namespace meniscus {
+
+template <class Real>
+KnownState<Real> known_state(const std::string& name, const Shape& shape, double jitter,
+                             std::uint64_t seed) {
+    CloudOptions options;
+    options.support_radius = 1;
+    options.spacing = 1 / known_spacing_ratio;
+    options.jitter = jitter;
+    options.seed = seed;
+    KnownState<Real> known;
+    known.cloud = fill(shape, options);
+    Snapshot snapshot;
+    snapshot.dimension = shape.dimension;
+    snapshot.positions = known.cloud.positions;
+    snapshot.support_radius = options.support_radius;
+    known.state = fluid_state<Real>(snapshot, name);
+    known.state.scene = name;
+    return known;
+}
+
+template KnownState<float> known_state(const std::string&, const Shape&, double, std::uint64_t);
+template KnownState<double> known_state(const std::string&, const Shape&, double, std::uint64_t);
+
+bool is_outermost(const Cloud& cloud, std::size_t i) {
+    // The outermost layer lies half a spacing deep, the next one and a half.
+    constexpr double depth_in_spacings = 0.7;
+    return cloud.trusted[i] != 0 && cloud.depth[i] < depth_in_spacings * cloud.spacing;
+}
+
+} // namespace meniscus

@@ -1,0 +1,51 @@
+// The surface-tension models of the SPH step on a fixed state, without a simulation around them.
+// Like the step they are compiled for several instruction sets (step_models_*.cpp): eight lanes are
+// several times as fast where they are one register, and no simulation runs without.
+#pragma once
+
+#include <meniscus/data/neighbor_search.hpp>
+#include <meniscus/sph/scene.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace meniscus {
+
+/// Particles of one mass; what is pointed to must outlive the models.
+struct StepState {
+    const std::vector<float>* positions; ///< m, three values a particle
+    const NeighborLists* lists;          ///< of particles closer than the support radius
+    float support_radius;                ///< m
+    float particle_volume;               ///< m^3
+};
+
+struct StepModelKind {
+    TensionOptions options;
+    bool is_exact = false; ///< `meniscus` with exact coverage
+};
+
+/// Models of those kinds on a state, whose neighbor lists and densities the step has found.
+class StepModels {
+public:
+    virtual ~StepModels() = default;
+
+    /// All that the model of that index does in a step, on so many threads. Adds up over calls.
+    virtual void run(std::size_t model, int threads) = 0;
+
+    /// The accelerations of one call, m/s^2.
+    virtual std::vector<Place> accelerations(std::size_t model) = 0;
+};
+
+/// Those for this machine. `spacing` is the one at rest, in support radii.
+std::unique_ptr<StepModels> step_models(const StepState& state, double spacing,
+                                        const std::vector<StepModelKind>& kinds);
+
+/// Those for each instruction set; empty where this machine lacks it.
+std::unique_ptr<StepModels> step_models_baseline(const StepState& state, double spacing,
+                                                 const std::vector<StepModelKind>& kinds);
+std::unique_ptr<StepModels> step_models_avx2(const StepState& state, double spacing,
+                                             const std::vector<StepModelKind>& kinds);
+std::unique_ptr<StepModels> step_models_avx512(const StepState& state, double spacing,
+                                               const std::vector<StepModelKind>& kinds);
+
+} // namespace meniscus

@@ -1,0 +1,9 @@
+#!/usr/bin/env bash
+# From a fresh clone to speed against error on this machine: installs what is missing, builds, and
+# runs `meniscus bench`, whose options this takes. Wants an otherwise idle machine.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+scripts/setup.sh bench
+cmake --preset release -DMENISCUS_TESTS=OFF -B build/bench
+cmake --build build/bench --target meniscus
+build/bench/bin/meniscus bench "$@"

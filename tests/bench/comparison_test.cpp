@@ -1,0 +1,214 @@
+// What every comparison is made of: tables, the best of their rows, times, plots, and the line
+// among the detectors, which must be the one of the audit.
+#include "comparison/detector_comparison.hpp"
+#include "comparison/plot.hpp"
+
+#include <data/expected_errors.hpp>
+#include <data/test_folder.hpp>
+
+#include <meniscus/classifier/model.hpp>
+#include <meniscus/data/errors.hpp>
+#include <meniscus/data/snapshot_files.hpp>
+#include <meniscus/labeler/labeler.hpp>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace meniscus {
+namespace {
+
+Table methods() {
+    Table table{"methods",
+                "Methods",
+                {{"method", "method"}, {"time", "ns"}, {"error", "error, %"}, {"kind", "kind"}},
+                {}};
+    table.rows = {{"fast", RepeatedTime{10, 9, 12}, 5.0, "a"},
+                  {"exact", RepeatedTime{1000, 900, 1100}, 0.0, "a"},
+                  {"slow and wrong", RepeatedTime{2000, 1900, 2100}, 5.0, "b"},
+                  {"equal to fast", RepeatedTime{10, 9, 12}, 5.0, "b"},
+                  {"not measured", std::monostate{}, 1.0, "b"}};
+    return table;
+}
+
+std::vector<std::string> best_of(const Table& table) {
+    std::vector<std::string> names;
+    for (const auto& row : table.rows)
+        if (std::get<std::string>(row.back()) == "yes")
+            names.push_back(std::get<std::string>(row[0]));
+    return names;
+}
+
+TEST(Table, BestAreThoseThatNoOtherBeats) {
+    Table table = methods();
+    mark_best(table, {"time", "error"});
+    EXPECT_EQ(best_of(table), (std::vector<std::string>{"fast", "exact", "equal to fast"}));
+}
+
+TEST(Table, BestOfEachGroup) {
+    Table table = methods();
+    mark_best(table, {"time"}, "kind");
+    EXPECT_EQ(best_of(table), (std::vector<std::string>{"fast", "equal to fast"}));
+}
+
+TEST(Table, MarkdownHasARowAMethod) {
+    const std::string text = markdown(methods());
+    EXPECT_EQ(text.substr(0, text.find('\n')), "| method | ns | error, % | kind |");
+    EXPECT_NE(text.find("| fast | 10 (9 to 12) | 5 | a |"), std::string::npos) << text;
+    EXPECT_NE(text.find("| not measured | - | 1 | b |"), std::string::npos) << text;
+}
+
+TEST(Table, JsonKeepsAllDigits) {
+    Table table = methods();
+    table.rows[0][2] = 1.0 / 3;
+    const nlohmann::json json = to_json(table);
+    EXPECT_EQ(json["rows"][0]["error"].get<double>(), 1.0 / 3);
+    EXPECT_EQ(json["rows"][0]["time"]["upper"].get<double>(), 12);
+    EXPECT_TRUE(json["rows"][4]["time"].is_null());
+    EXPECT_EQ(json["columns"][2]["heading"], "error, %");
+}
+
+TEST(Timing, RunsEveryOneAndOrdersItsQuartiles) {
+    int first = 0;
+    int second = 0;
+    TimingOptions options;
+    options.repetitions = 5;
+    options.least_time = 1e-6;
+    const auto times = measure({{[&] { ++first; }}, {[&] { ++second; }, true}}, options);
+    ASSERT_EQ(times.size(), 2U);
+    EXPECT_GE(first, 5);
+    EXPECT_GE(second, 3);
+    for (const RepeatedTime& time : times) {
+        EXPECT_GT(time.lower, 0);
+        EXPECT_LE(time.lower, time.median);
+        EXPECT_LE(time.median, time.upper);
+    }
+}
+
+using Plots = TestFolder;
+
+TEST_F(Plots, ShowEverySeriesAndZeros) {
+    Table table = methods();
+    mark_best(table, {"time", "error"});
+    draw(table, {"methods.svg", "It's a plot", "time", "error", "kind"}, folder);
+    const std::string svg = bytes_of(folder / "methods.svg");
+    EXPECT_NE(svg.find("</svg>"), std::string::npos);
+    EXPECT_NE(svg.find(">It's a plot<"), std::string::npos);
+    EXPECT_NE(svg.find(">error, %<"), std::string::npos);
+    EXPECT_NE(svg.find(">0<"), std::string::npos);
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1);
+}
+
+TEST_F(Plots, OfOneValueAndOfNone) {
+    Table table = methods();
+    table.rows.resize(1);
+    draw(table, {"one.svg", "one", "time", "error", "kind"}, folder);
+    EXPECT_NE(bytes_of(folder / "one.svg").find("</svg>"), std::string::npos);
+    table.rows.clear();
+    draw(table, {"none.svg", "none", "time", "error", "kind"}, folder);
+    EXPECT_FALSE(std::filesystem::exists(folder / "none.svg"));
+}
+
+TEST_F(Plots, ThatCannotBeWrittenSaySo) {
+    const Plot plot{"a.svg", "a", "time", "error", "kind"};
+    expect_mentions(error_of<FailureError>([&] { draw(methods(), plot, folder / "no"); }),
+                    {"a.svg", "could not be drawn"});
+}
+
+Snapshot sample(const std::string& name) {
+    return read_snapshot(std::filesystem::path(MENISCUS_SAMPLES) / (name + ".vtkhdf"));
+}
+
+TEST(FluidState, IsTheSnapshotWithExactLabels) {
+    const Snapshot snapshot = sample("droplet_iisph_06");
+    const auto state = fluid_state<double>(snapshot, "droplet");
+    const Labels labels = label_particles(snapshot, *snapshot.support_radius, {});
+    EXPECT_EQ(state.surface, labels.surface);
+    EXPECT_EQ(state.uncovered_fraction, labels.uncovered_fraction);
+    // Masses are 0.8 of a full cell in these states, and the fluid is at rest density.
+    const double spacing = *snapshot.particle_spacing;
+    EXPECT_NEAR(state.particle_volume / (0.8 * spacing * spacing * spacing), 1, 0.05);
+}
+
+TEST(FluidState, NeedsParticlesAndARadius) {
+    Snapshot snapshot;
+    snapshot.support_radius = 1;
+    expect_mentions(error_of<InputError>([&] { fluid_state<float>(snapshot, "nothing"); }),
+                    {"nothing", "no particle"});
+    snapshot.positions = {{0, 0, 0}};
+    snapshot.support_radius.reset();
+    expect_mentions(error_of<InputError>([&] { fluid_state<float>(snapshot, "one"); }),
+                    {"one", "support radius"});
+}
+
+template <class Real>
+const Detector<Real>& detector(const std::vector<Detector<Real>>& all, const std::string& name) {
+    for (const auto& one : all)
+        if (one.name == name)
+            return one;
+    throw std::invalid_argument("no detector " + name);
+}
+
+std::vector<std::uint8_t> found_by(const std::string& name, const FluidState<double>& state,
+                                   int threads = 1) {
+    const auto all = detectors<double>(state.dimension, MENISCUS_MODELS);
+    std::vector<std::uint8_t> surface;
+    detector(all, name).prepare(state, threads)(surface);
+    return surface;
+}
+
+TEST(LineDetectors, AreTheModelsOfTheAudit) {
+    const Snapshot snapshot = sample("cube_iisph_05");
+    const auto state = fluid_state<double>(snapshot, "cube");
+    const Labels labels = label_particles(snapshot, *snapshot.support_radius, {});
+    for (const auto& [name, file] : {std::pair{"line, neyman-pearson", "surface_3d"},
+                                     {"published line, d = 28", "splishsplash_d28"}}) {
+        const Line line =
+            read_model(std::filesystem::path(MENISCUS_MODELS) / (std::string(file) + ".json")).line;
+        const auto surface = found_by(name, state);
+        for (std::size_t i = 0; i < state.size(); ++i)
+            ASSERT_EQ(surface[i] != 0,
+                      predicts_surface(line, labels.mass_offset[i], labels.neighbor_count[i]))
+                << name << ", particle " << i;
+    }
+}
+
+TEST(CoverageDetectors, FindTheDefinition) {
+    const auto state = fluid_state<double>(sample("cube_iisph_05"), "cube");
+    EXPECT_EQ(found_by("exact test", state), state.surface);
+    EXPECT_EQ(found_by("exact test", state, 2), state.surface);
+    // The line's misses are all that is lost where a test follows, and nothing is let through.
+    const auto line = found_by("line, neyman-pearson", state);
+    for (const char* name : {"line and exact test", "line and exact coverage",
+                             "line and 16 samples, verified", "line and 128 samples, verified"}) {
+        const auto surface = found_by(name, state);
+        for (std::size_t i = 0; i < state.size(); ++i)
+            ASSERT_EQ(surface[i], state.surface[i] & line[i]) << name << ", particle " << i;
+    }
+}
+
+TEST(DetectorComparison, CountsErrorsAndFindsTheExactOneWithout) {
+    std::vector<FluidState<float>> states;
+    states.push_back(fluid_state<float>(sample("cube_iisph_05"), "cube"));
+    const auto all = detectors<float>(3, MENISCUS_MODELS);
+    std::vector<Detector<float>> some = {detector(all, "line, neyman-pearson"),
+                                         detector(all, "published line, d = 12"),
+                                         detector(all, "exact test")};
+    TimingOptions timing;
+    timing.repetitions = 1;
+    timing.least_time = 1e-6;
+    const Table table = compare_detectors(states, some, 2, timing);
+    ASSERT_EQ(table.rows.size(), 3U);
+    const auto number = [&](std::size_t row, const char* key) {
+        return std::get<double>(table.rows[row][table.column(key)]);
+    };
+    EXPECT_EQ(number(0, "false_negatives_plain"), 0);
+    EXPECT_GT(number(0, "false_positive_rate"), 0);
+    EXPECT_GT(number(1, "false_negatives"), number(0, "false_negatives"));
+    EXPECT_GT(number(1, "missed_area"), 0);
+    for (const char* key : {"false_negatives", "missed_area", "false_positive_rate"})
+        EXPECT_EQ(number(2, key), 0);
+    EXPECT_EQ(std::get<std::string>(table.rows[2].back()), "yes");
+}
+
+} // namespace
+} // namespace meniscus
