@@ -5,7 +5,7 @@
 # normals Debian's python3-matplotlib.
 # Usage: scripts/update_docs.sh [TABLES]   (default: all)
 # TABLES: accuracy, own-scenes (runs scenes for some ten minutes), speed, sampling, force,
-# surface-speed, normals, curvature, scenes, simulation, step-speed, hard-cases or
+# surface-speed, normals, curvature, scenes, simulation, step-speed, hard-cases, hard-cases-solvers or
 # speed-against-error (runs scenes, too)
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -144,4 +144,7 @@ if wanted hard-cases; then
         "$bin/rounding_table_fast_math" "-ffast-math" data/samples
         "$bin/rounding_table_native_fast_math" "-march=native -ffast-math" data/samples
     } | replace docs/hard_cases.md rounding
+fi
+if wanted hard-cases-solvers; then
+    "$bin/hard_cases_solver_table" | replace docs/hard_cases.md hard-cases-solvers
 fi
