@@ -1,14 +1,20 @@
 // meniscus bench: speed against error, of this project and of what others use, on this machine.
 #include "shipped_files.hpp"
 
+#include "comparison/coverage_estimators.hpp"
 #include "comparison/detector_comparison.hpp"
+#include "comparison/feature_pairs.hpp"
+#include "comparison/line_shift.hpp"
 #include "comparison/plot.hpp"
+#include "comparison/tension_steps.hpp"
 
 #include <meniscus/data/errors.hpp>
 #include <meniscus/data/snapshot_files.hpp>
 #include <meniscus/version.hpp>
 
+#include <algorithm>
 #include <fmt/format.h>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <omp.h>
@@ -30,23 +36,58 @@ struct Bench {
     const BenchCommand& command;
     int threads;
     Path models;
-    std::vector<FluidState<float>> states;
+    std::vector<Path> files;
+    std::vector<FluidState<float>> states; ///< of the files
     std::vector<Table> tables;
 
+    /// Prints the table, writes it and draws its plots.
     void add(Table table, const std::vector<Plot>& plots) {
-        for (const Plot& plot : plots)
-            draw(table, plot, command.folder);
+        std::string text = markdown(table);
         if (!command.quiet)
-            fmt::print("\n{}\n\n{}", table.title, markdown(table));
+            fmt::print("\n{}\n\n{}", table.title, text);
         std::fflush(stdout);
+        for (const Plot& plot : plots) {
+            draw(table, plot, command.folder);
+            text += fmt::format("\n![{}]({})\n", plot.title, plot.file);
+        }
+        const WriteGuard guard;
+        write_whole(command.folder / (table.name + ".md"), text);
         tables.push_back(std::move(table));
     }
 
     [[nodiscard]] std::vector<FluidState<float>> states_of(int dimension) const {
         std::vector<FluidState<float>> some;
-        for (const auto& state : states)
-            if (state.dimension == dimension)
-                some.push_back(state);
+        std::copy_if(states.begin(), states.end(), std::back_inserter(some),
+                     [&](const auto& state) { return state.dimension == dimension; });
+        return some;
+    }
+
+    [[nodiscard]] std::vector<Path> files_in_3d() const {
+        std::vector<Path> some;
+        for (std::size_t k = 0; k < files.size(); ++k)
+            if (states[k].dimension == 3)
+                some.push_back(files[k]);
+        return some;
+    }
+
+    /// The largest state of each of the three largest scenes.
+    [[nodiscard]] std::vector<Path> large_files_in_3d() const {
+        std::map<std::string, std::size_t> of_scene; // index of its largest state
+        for (std::size_t k = 0; k < files.size(); ++k)
+            if (states[k].dimension == 3) {
+                auto& largest = of_scene.emplace(states[k].scene, k).first->second;
+                largest = states[k].size() >= states[largest].size() ? k : largest;
+            }
+        std::vector<std::size_t> largest;
+        for (const auto& [scene, k] : of_scene)
+            largest.push_back(k);
+        std::sort(largest.begin(), largest.end(), [&](std::size_t a, std::size_t b) {
+            return states[a].size() > states[b].size();
+        });
+        largest.resize(std::min<std::size_t>(largest.size(), 3));
+        std::vector<Path> some;
+        for (const std::size_t k : largest)
+            some.push_back(files[k]);
         return some;
     }
 };
@@ -58,6 +99,7 @@ void bench_detectors(Bench& bench) {
             continue;
         Table table = compare_detectors(states, detectors<float>(dimension, bench.models),
                                         bench.threads, bench.command.timing);
+        number_rows(table);
         Plot missed{table.name + "_missed.svg", table.title + ": what they miss", "time",
                     "false_negatives", "group"};
         Plot let_through{table.name + "_let_through.svg", table.title + ": what they let through",
@@ -65,6 +107,77 @@ void bench_detectors(Bench& bench) {
         missed.label = let_through.label = "number";
         bench.add(std::move(table), {missed, let_through});
     }
+}
+
+void bench_features(Bench& bench) {
+    for (const int dimension : {3, 2}) {
+        const auto states = bench.states_of(dimension);
+        if (states.empty())
+            continue;
+        FeaturePairOptions options;
+        options.threads = bench.threads;
+        options.timing = bench.command.timing;
+        Table table = feature_pairs(states, options);
+        table.name = fmt::format("features_{}d", dimension);
+        number_rows(table);
+        Plot plot{table.name + ".svg", table.title, "time", "false_positive_rate", "kind"};
+        plot.label = "number";
+        bench.add(std::move(table), {plot});
+    }
+}
+
+void bench_coverage(Bench& bench) {
+    EstimatorOptions options;
+    options.snapshots = bench.files_in_3d();
+    options.threads = bench.threads;
+    options.timing.repetitions = bench.command.timing.repetitions;
+    Table table = coverage_estimators(options);
+    mark_best(table, {"time", "lost", "normal", "curvature"}, "case");
+    std::vector<Plot> plots;
+    for (const char* error : {"lambda", "normal", "curvature"}) {
+        Plot plot{fmt::format("{}_{}.svg", table.name, error), table.title, "time", error,
+                  "estimator"};
+        plot.panel = "case";
+        plot.joined = true;
+        plots.push_back(plot);
+    }
+    bench.add(std::move(table), plots);
+}
+
+void bench_line(Bench& bench) {
+    LineShiftOptions options;
+    for (const Path& sample : sample_snapshots())
+        if (sample.stem() == "droplet_iisph_04")
+            options.double_droplet = sample;
+    options.published_model = bench.models / "splishsplash_d12.json";
+    options.threads = bench.threads;
+    options.timing = bench.command.timing;
+    Table table = line_shift(options);
+    mark_best(table, {"time", "false_negatives"}, "state");
+    std::vector<Plot> plots;
+    for (const char* figure : {"candidates", "false_negatives", "time"}) {
+        Plot plot{fmt::format("{}_{}.svg", table.name, figure), table.title, "d", figure, "line"};
+        plot.panel = "state";
+        plot.joined = true;
+        plot.logarithmic_x = false;
+        plot.logarithmic_y = plot.y == "false_negatives";
+        plots.push_back(plot);
+    }
+    bench.add(std::move(table), plots);
+}
+
+void bench_steps(Bench& bench) {
+    TensionStepOptions options;
+    options.snapshots = bench.large_files_in_3d();
+    options.threads = bench.threads;
+    options.timing = bench.command.timing;
+    Table table = tension_steps(options);
+    mark_best(table, {"time", "angle", "local_scatter", "inside"}, "state");
+    number_rows(table, "state");
+    Plot plot{table.name + ".svg", table.title, "time", "angle", "group"};
+    plot.label = "number";
+    plot.panel = "state";
+    bench.add(std::move(table), {plot});
 }
 
 struct NamedTable {
@@ -75,6 +188,10 @@ struct NamedTable {
 
 constexpr NamedTable known_tables[] = {
     {"detectors", "surface detectors of this project and of others", bench_detectors},
+    {"features", "lines in the plane of any two features", bench_features},
+    {"coverage", "uncovered part, normal and curvature by samples", bench_coverage},
+    {"line", "what shifting the line does", bench_line},
+    {"steps", "whole surface-tension steps", bench_steps},
 };
 
 std::string table_names() {
@@ -87,7 +204,8 @@ std::string table_names() {
 void write_report(const Bench& bench) {
     nlohmann::json inputs = nlohmann::json::array();
     for (const auto& state : bench.states)
-        inputs.push_back({{"name", state.name}, {"scene", state.scene}, {"size", state.size()}});
+        inputs.push_back(
+            {{"name", state.name}, {"scene", state.scene}, {"particles", state.size()}});
     nlohmann::json tables = nlohmann::json::array();
     for (const Table& table : bench.tables)
         tables.push_back(to_json(table));
@@ -101,17 +219,18 @@ void write_report(const Bench& bench) {
     write_whole(bench.command.folder / "speed_against_error.json", report.dump(1) + "\n");
 }
 
-void print_machine(const Bench& bench) {
-    const auto about = machine();
+/// What the figures belong to, for whoever reads the tables.
+std::string about(const Bench& bench) {
+    const auto of = machine();
     std::size_t particles = 0;
     for (const auto& state : bench.states)
         particles += state.size();
-    fmt::print("{}, {} cores ({}); {}, {}; medians of {} runs and their quartiles; {} states, {} "
-               "particles\n",
-               about["processor"].get<std::string>(), about["cores"].get<int>(),
-               about["caches"].get<std::string>(), about["compiler"].get<std::string>(),
-               about["build"].get<std::string>(), bench.command.timing.repetitions,
-               bench.states.size(), particles);
+    return fmt::format("{}, {} cores ({}); {}, {}; labels with {}; medians of {} runs and their "
+                       "quartiles, of 3 runs where one is long; {} states, {} particles\n",
+                       of["processor"].get<std::string>(), of["cores"].get<int>(),
+                       of["caches"].get<std::string>(), of["compiler"].get<std::string>(),
+                       of["build"].get<std::string>(), of["vectors_of_labels"].get<std::string>(),
+                       bench.command.timing.repetitions, bench.states.size(), particles);
 }
 
 bool is_wanted(const BenchCommand& command, const std::string& table) {
@@ -125,12 +244,15 @@ void run_bench(const BenchCommand& command) {
     Bench bench{command,
                 command.threads > 0 ? command.threads : omp_get_max_threads(),
                 shipped_models(),
+                command.inputs.empty() ? sample_snapshots() : command.inputs,
                 {},
                 {}};
-    for (const Path& file : command.inputs.empty() ? sample_snapshots() : command.inputs)
+    for (const Path& file : bench.files)
         bench.states.push_back(read_fluid_state<float>(file));
+    const std::string machine_text = about(bench);
     if (!command.quiet)
-        print_machine(bench);
+        fmt::print("{}", machine_text);
+    write_whole(command.folder / "machine.md", machine_text);
     for (const NamedTable& table : known_tables)
         if (is_wanted(command, table.name))
             table.make(bench);
@@ -143,7 +265,8 @@ void add_bench(CLI::App& command) {
     auto options = std::make_shared<BenchCommand>();
     auto* verb = command.add_subcommand(
         "bench", "Measure speed against error, of this project's methods and of others', on this "
-                 "machine: tables, DIR/speed_against_error.json, and plots as DIR/*.svg");
+                 "machine: tables as DIR/*.md, plots as DIR/*.svg, and all figures in "
+                 "DIR/speed_against_error.json");
     verb->add_option("INPUT", options->inputs,
                      "Snapshots that store their support radius; without any, those that come with "
                      "the project");

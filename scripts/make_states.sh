@@ -95,6 +95,9 @@ audit_2d() {
     run drop_2d drop_2d_paper 0.15 0.05 --variant paper
     run dam_break_2d dam_break_2d_paper 1.25 0.25 --variant paper
 }
+audit_double_dam() {
+    run double_dam_break double_dam_break 1.5 0.3
+}
 audit_wide_3d() {
     run drop_formation drop_formation_iisph 0.6 0.2 "${iisph[@]}"
     run crown_splash crown_splash_light 0.4 0.1 "${light[@]}" --set support_radius=0.2

@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
 # Prints the tables of README and docs/ again from the samples, between their "begin" and "end"
-# comments, and draws the plots. Takes some minutes, curvature half an hour; speed wants an otherwise
-# idle machine, sampling and normals Debian's python3-matplotlib.
+# comments, and draws the plots. Takes some minutes, curvature half an hour; speed,
+# speed-against-error, surface-speed and step-speed want an otherwise idle machine, sampling and
+# normals Debian's python3-matplotlib.
 # Usage: scripts/update_docs.sh [TABLES]   (default: all)
 # TABLES: accuracy, own-scenes (runs scenes for some ten minutes), speed, sampling, force,
-# surface-speed, normals, curvature, scenes, simulation, step-speed or hard-cases
+# surface-speed, normals, curvature, scenes, simulation, step-speed, hard-cases or
+# speed-against-error (runs scenes, too)
 set -euo pipefail
 cd "$(dirname "$0")/.."
 bin=build/release/bin
@@ -111,6 +113,24 @@ fi
 if wanted step-speed; then
     for table in stages scaling; do
         "$bin/step_speed" "$table" configs/scenes | replace docs/simulation.md "$table"
+    done
+fi
+if wanted speed-against-error; then
+    page=docs/speed_against_error.md
+    scripts/bench.sh -o "$work/bench"
+    bench=build/bench/bin/meniscus
+    for table in machine detectors_3d features_3d coverage_estimators line_shift tension_steps; do
+        sed 's#](\([a-z0-9_]*\.svg\))#](plots/\1)#' "$work/bench/$table.md" |
+            replace "$page" "${table//_/-}"
+    done
+    cp "$work"/bench/*.svg docs/plots
+    # States that no line has seen, and the scene that the paper compares itself on.
+    scripts/make_states.sh audit_3d "$work/unseen_3d" "$bench"
+    scripts/make_states.sh audit_2d "$work/unseen_2d" "$bench"
+    scripts/make_states.sh audit_double_dam "$work/double_dam" "$bench"
+    for states in unseen_3d unseen_2d double_dam; do
+        "$bench" bench -o "$work/bench_$states" --tables detectors "$work/$states"/*.vtkhdf
+        grep -v '^!\[' "$work/bench_$states"/detectors_?d.md | replace "$page" "${states//_/-}"
     done
 fi
 if wanted hard-cases; then

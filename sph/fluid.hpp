@@ -133,8 +133,12 @@ struct Fluid {
     Real mass = 0; ///< of each particle
 
     std::size_t count = 0; ///< of particles; arrays with one more entry end in one far from all
-    std::vector<Row<Real>> place;        ///< one more; w is free for a loop's own use
-    std::vector<Row<Real>> velocity;     ///< one more; w: density, from find_densities() on
+    std::vector<Row<Real>> place;    ///< one more; w is free for a loop's own use
+    std::vector<Row<Real>> velocity; ///< one more; w: density, from find_densities() on
+    /// What accelerate() rounded off the velocities, where a step is so short that it matters:
+    /// `keeps_rounding`. The velocities of the state hold it.
+    std::vector<Row<Real>> rounding;
+    bool keeps_rounding = false;
     std::vector<Row<Real>> acceleration; ///< of all forces but pressure
     std::vector<Real> density;           ///< walls included
     std::vector<Real> wall_density;      ///< the walls' part of it
@@ -237,6 +241,28 @@ MENISCUS_INLINE Row<Real> plus(const Row<Real>& a, Real factor, const Row<Real>&
 template <class Real>
 MENISCUS_INLINE Real dot_rows(const Row<Real>& a, const Row<Real>& b) {
     return (a.x * b.x + a.y * b.y) + a.z * b.z;
+}
+
+/// What a + b loses to rounding (Knuth's two-sum).
+template <class Real>
+MENISCUS_INLINE Real lost_in_sum(Real a, Real b) {
+    const Real sum = a + b;
+    const Real b_taken = sum - a;
+    return (a - (sum - b_taken)) + (b - b_taken);
+}
+
+/// Adds factor * acceleration to the velocity of particle i.
+template <class Real, int Dimension>
+MENISCUS_INLINE void accelerate(Fluid<Real, Dimension>& fluid, std::size_t i, Real factor,
+                                const Row<Real>& acceleration) {
+    Row<Real>& velocity = fluid.velocity[i];
+    if (fluid.keeps_rounding) {
+        Row<Real>& lost = fluid.rounding[i];
+        lost.x += lost_in_sum(velocity.x, factor * acceleration.x);
+        lost.y += lost_in_sum(velocity.y, factor * acceleration.y);
+        lost.z += lost_in_sum(velocity.z, factor * acceleration.z);
+    }
+    velocity = plus(velocity, factor, acceleration);
 }
 
 } // namespace MENISCUS_INSTRUCTION_SET

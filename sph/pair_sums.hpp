@@ -10,13 +10,14 @@ namespace meniscus {
 inline namespace MENISCUS_INSTRUCTION_SET {
 
 /// Density of particle i over the rest density by fluid particles, itself included, m sum_j W_ij;
-/// sets the slopes of its list.
+/// sets the slopes of its list, and lowers `nearest` to the squared distances of its neighbors.
 template <class Real, int Dimension, class Kernel>
 MENISCUS_INLINE Real fluid_density(const Fluid<Real, Dimension>& fluid, std::size_t i,
-                                   const Kernel& kernel, Real* slopes) {
+                                   const Kernel& kernel, Real* slopes, Lanes<Real>& nearest) {
     Lanes<Real> sum = kernel.value(Lanes<Real>{}) * Lanes<Real>{1, 0, 0, 0, 0, 0, 0, 0};
     visit_neighbors(fluid, i, [&](const NeighborLanes<Real, Dimension>& lanes) {
         sum += kernel.value(lanes.distance_squared);
+        nearest = lanes.distance_squared < nearest ? lanes.distance_squared : nearest;
         store_lanes<Real>(kernel.gradient(lanes.distance_squared), slopes + lanes.at);
     });
     return fluid.mass * sum_of_lanes<Real>(sum);
@@ -36,29 +37,36 @@ MENISCUS_INLINE void find_wall_sums(Fluid<Real, Dimension>& fluid, std::size_t i
     fluid.wall_gradient[i] = gradient.total();
 }
 
-/// Sets densities (also beside the velocities), what walls contribute, and slopes.
+/// Sets densities (also beside the velocities), what walls contribute, and slopes. Returns whether
+/// two particles lie in one place.
 template <class Real, int Dimension>
-void find_densities(Fluid<Real, Dimension>& fluid) {
+bool find_densities(Fluid<Real, Dimension>& fluid) {
+    std::vector<std::uint8_t> has_coincident(fluid.count / ParticleLoop::part_size + 1, 0);
     fluid.slopes.resize(fluid.count);
     fluid.slope_buffers.resize(fluid.count / ParticleLoop::part_size + 1);
     with_kernel<Real, Dimension>(fluid.kernel, [&](auto kernel) {
-        fluid.loop.each_part(fluid.count, [&](std::size_t part, std::size_t begin,
-                                              std::size_t end) {
-            std::size_t pairs = 0;
-            for (std::size_t i = begin; i < end; ++i)
-                pairs += fluid.neighbors.padded_count(i);
-            std::vector<Real>& buffer = fluid.slope_buffers[part];
-            buffer.resize(std::max(buffer.size(), pairs));
-            Real* slopes = buffer.data();
-            for (std::size_t i = begin; i < end; ++i) {
-                fluid.slopes[i] = slopes;
-                find_wall_sums(fluid, i, kernel);
-                fluid.density[i] = fluid_density(fluid, i, kernel, slopes) + fluid.wall_density[i];
-                fluid.velocity[i].w = fluid.density[i];
-                slopes += fluid.neighbors.padded_count(i);
-            }
-        });
+        fluid.loop.each_part(
+            fluid.count, [&](std::size_t part, std::size_t begin, std::size_t end) {
+                std::size_t pairs = 0;
+                for (std::size_t i = begin; i < end; ++i)
+                    pairs += fluid.neighbors.padded_count(i);
+                std::vector<Real>& buffer = fluid.slope_buffers[part];
+                buffer.resize(std::max(buffer.size(), pairs));
+                Real* slopes = buffer.data();
+                Lanes<Real> nearest = all_lanes_of(Real(1));
+                for (std::size_t i = begin; i < end; ++i) {
+                    fluid.slopes[i] = slopes;
+                    find_wall_sums(fluid, i, kernel);
+                    fluid.density[i] =
+                        fluid_density(fluid, i, kernel, slopes, nearest) + fluid.wall_density[i];
+                    fluid.velocity[i].w = fluid.density[i];
+                    slopes += fluid.neighbors.padded_count(i);
+                }
+                has_coincident[part] = smaller_bits(nearest, std::numeric_limits<Real>::min()) != 0;
+            });
     });
+    return std::any_of(has_coincident.begin(), has_coincident.end(),
+                       [](std::uint8_t one) { return one != 0; });
 }
 
 /// -m sum_j (s_i + s_j) grad W_ij, s being the w of the particles' places, and the walls' part:

@@ -37,9 +37,8 @@ public:
                 });
             }
         });
-        fluid.loop.each(fluid.count, [&](std::size_t i) {
-            fluid.velocity[i] = plus(fluid.velocity[i], dt, acceleration[i]);
-        });
+        fluid.loop.each(fluid.count,
+                        [&](std::size_t i) { accelerate(fluid, i, dt, acceleration[i]); });
         return report;
     }
 

@@ -105,9 +105,8 @@ public:
             if (options.accelerate)
                 age = extrapolate(fluid, age, least, pressure);
         }
-        fluid.loop.each(fluid.count, [&](std::size_t i) {
-            fluid.velocity[i] = plus(fluid.velocity[i], dt, acceleration[i]);
-        });
+        fluid.loop.each(fluid.count,
+                        [&](std::size_t i) { accelerate(fluid, i, dt, acceleration[i]); });
         return report;
     }
 

@@ -165,10 +165,16 @@ struct SceneParticles {
     double mass = 0;               ///< of each fluid particle, kg
 };
 
-/// Fills the scene's shapes. Throws InputError where a file cannot be read, where there is no fluid
-/// at all, where two fluid particles lie closer than a tenth of a spacing (two bodies overlap), or
-/// where there would be more than 5e8 particles.
+/// Fills the scene's shapes. Throws InputError where a file cannot be read, where a snapshot's
+/// particles differ in mass or phase or lie so far out that its numbers do not hold their spacing,
+/// where there is no fluid at all, where two fluid particles lie closer than a tenth of a spacing
+/// (two bodies overlap), or where there would be more than 5e8 particles.
 SceneParticles fill_scene(const Scene& scene);
+
+/// Throws InputError, naming the particle by `what` and `number`, for a place so far from the
+/// origin that its coordinates (m) tell a millionth of a spacing no more: slow particles would
+/// stand still.
+void check_resolution(const Place& place, const Scene& scene, const char* what, std::size_t number);
 
 /// The box where particles may be: the scene's own, or the one around its first state.
 std::array<Place, 2> scene_domain(const Scene& scene, const SceneParticles& particles);

@@ -105,6 +105,35 @@ std::vector<Place> snapshot_velocities(const Snapshot& snapshot) {
     return velocities;
 }
 
+/// The step knows one fluid of equal particles.
+void check_equal(const Snapshot& snapshot, const char* name) {
+    constexpr double tolerance = 1e-3;
+    if (find_array(snapshot, name) == nullptr)
+        return;
+    const std::vector<double> values = scalar_values(snapshot, name);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (!(std::abs(values[i] - values[0]) <= tolerance * std::abs(values[0])))
+            throw InputError(std::string("particle ") + std::to_string(i) + " has " + name + " " +
+                             number_text(values[i]) + " and particle 0 " + number_text(values[0]) +
+                             "; the fluid of a scene has particles of one mass and phase, so keep "
+                             "those alone");
+}
+
+/// Single precision keeps seven digits of a coordinate, whatever the spacing is.
+void check_stored_precision(const Snapshot& snapshot, const Scene& scene) {
+    constexpr double share = 0.01; // of a spacing
+    if (snapshot.position_precision != Precision::float32)
+        return;
+    for (std::size_t i = 0; i < snapshot.size(); ++i)
+        for (const double coordinate : snapshot.positions[i])
+            if (0x1p-24 * std::abs(coordinate) > share * scene.particle_spacing)
+                throw InputError("particle " + std::to_string(i) + " has a coordinate of " +
+                                 number_text(coordinate) +
+                                 " m in single precision, which far out does not hold a hundredth "
+                                 "of a spacing; store positions in double, or nearer to the "
+                                 "origin");
+}
+
 /// Positions and velocities of one body.
 struct Filled {
     Positions positions;
@@ -124,6 +153,9 @@ Filled fill(const SnapshotShape& shape, const Scene& scene) {
         if (snapshot.dimension != scene.dimension)
             throw InputError("has " + std::to_string(snapshot.dimension) +
                              " dimensions, the scene has " + std::to_string(scene.dimension));
+        check_equal(snapshot, "mass");
+        check_equal(snapshot, "phase");
+        check_stored_precision(snapshot, scene);
         Filled filled{snapshot.positions, snapshot_velocities(snapshot)};
         for (std::size_t i = 0; i < filled.positions.size(); ++i) {
             for (int axis = 0; axis < 3; ++axis)
@@ -229,11 +261,25 @@ void add_fluid(const Scene& scene, SceneParticles& particles) {
     }
     if (particles.positions.empty())
         throw InputError("scene '" + scene.name + "' has no fluid; name a body under 'fluid'");
+    const std::string what = "scene '" + scene.name + "': particle ";
+    for (std::size_t i = 0; i < particles.positions.size(); ++i)
+        check_resolution(particles.positions[i], scene, what.c_str(), i);
     check_distances(scene, particles, starts);
     check_domain(scene, particles);
 }
 
 } // namespace
+
+void check_resolution(const Place& place, const Scene& scene, const char* what,
+                      std::size_t number) {
+    constexpr double share = 1e-6; // of a spacing
+    for (int axis = 0; axis < scene.dimension; ++axis)
+        if (std::abs(place[axis]) * 0x1p-53 > share * scene.particle_spacing)
+            throw InputError(what + std::to_string(number) + " is at " + "xyz"[axis] + " = " +
+                             number_text(place[axis]) +
+                             " m, where numbers in double precision no longer hold a millionth of "
+                             "a spacing; move the scene closer to the origin");
+}
 
 SceneParticles fill_scene(const Scene& scene) {
     SceneParticles particles;

@@ -65,18 +65,98 @@ void check_state(const SimulationState& state) {
     }
 }
 
-/// Throws InputError for a place so far out that single precision would tell it from its neighbors
-/// no more. `what` and `number` name its particle.
+void expect(bool holds, const std::string& what, double found) {
+    if (!holds)
+        throw InputError("a scene's " + what + ", found " + number_text(found));
+}
+
+void expect_positive(double value, const char* what) {
+    expect(std::isfinite(value) && value > 0, std::string(what) + " must be a positive number",
+           value);
+}
+
+void check_time_step(const TimeStepOptions& options) {
+    if (options.fixed) {
+        expect_positive(*options.fixed, "fixed time step");
+        return;
+    }
+    expect_positive(options.courant_factor, "courant_factor");
+    expect_positive(options.smallest, "smallest time step");
+    expect(options.largest >= options.smallest && std::isfinite(options.largest),
+           "largest time step must be a number and at least the smallest", options.largest);
+}
+
+/// Support radius over spacing. The lines were trained up to 2.5.
+constexpr double widest_line = 2.75;
+
+/// What read_scene() refuses in a file, for scenes that a program made: numbers that would spoil
+/// the whole fluid.
+void check_numbers(const Scene& scene, const SceneParticles& particles) {
+    expect(scene.dimension == 2 || scene.dimension == 3, "dimension must be 2 or 3",
+           scene.dimension);
+    expect_positive(scene.particle_spacing, "particle spacing");
+    expect(scene.support_radius >= 1e-30 && scene.support_radius <= 1e30,
+           "support radius must be a number of metres from 1e-30 to 1e30", scene.support_radius);
+    const double ratio = scene.support_radius / scene.particle_spacing;
+    expect(ratio >= 1 && ratio <= 100, "support radius must be 1 to 100 spacings", ratio);
+    expect_positive(scene.rest_density, "rest density");
+    expect_positive(particles.mass, "mass of a particle");
+    for (const double acceleration : scene.gravity)
+        expect(std::isfinite(acceleration), "gravity must be finite", acceleration);
+    const ViscosityOptions& viscosity = scene.viscosity;
+    expect(std::isfinite(viscosity.kinematic) && viscosity.kinematic >= 0,
+           "kinematic viscosity must be finite and not negative", viscosity.kinematic);
+    expect(viscosity.xsph >= 0 && viscosity.xsph <= 1, "xsph must be 0 to 1", viscosity.xsph);
+    expect(std::isfinite(scene.surface_tension.coefficient),
+           "coefficient of surface tension must be finite", scene.surface_tension.coefficient);
+    const bool needs_line = scene.surface_tension.model == TensionModel::meniscus ||
+                            scene.surface_tension.restrict_to_surface;
+    expect(!needs_line || scene.surface_tension.k || ratio <= widest_line,
+           "support radius must be at most 2.75 spacings for the lines that ship, which would take "
+           "its surface for interior; give surface_tension.k and .d, trained for it",
+           ratio);
+    if (scene.pressure.solver == PressureSolverKind::wcsph)
+        expect_positive(scene.pressure.sound_speed, "sound speed");
+    check_time_step(scene.time_step);
+}
+
+/// How far from the middle of the domain, in support radii, places keep three digits of one.
+double farthest_of(const Scene& scene) {
+    return scene.precision == Precision::float32 ? 1e4 : 1e6;
+}
+
+std::string precision_advice(const Scene& scene) {
+    return scene.precision == Precision::float32 ? "or set \"precision\" to \"double\""
+                                                 : "what belongs to one fluid lies closer together";
+}
+
+void check_domain_size(const Scene& scene) {
+    if (!scene.domain)
+        return;
+    const auto& [low, high] = *scene.domain;
+    for (int axis = 0; axis < scene.dimension; ++axis) {
+        const double reach = (high[axis] / 2 - low[axis] / 2) / scene.support_radius;
+        if (!(reach > 0 && reach <= farthest_of(scene)))
+            throw InputError(std::string("the domain reaches ") + number_text(reach) +
+                             " support radii from its middle along " + "xyz"[axis] +
+                             ", expected more than 0 and at most " +
+                             number_text(farthest_of(scene)) + ": make it smaller, " +
+                             precision_advice(scene));
+    }
+}
+
+/// Throws InputError for a place so far out that the step's numbers would tell it from its
+/// neighbors no more. `what` and `number` name its particle.
 void check_distance(const Place& place, const Scene& scene, const std::array<Place, 2>& domain,
                     const char* what, std::size_t number) {
-    constexpr double farthest = 1e6; // support radii
+    const double farthest = farthest_of(scene);
     for (int axis = 0; axis < scene.dimension; ++axis) {
         const double middle = domain[0][axis] / 2 + domain[1][axis] / 2;
         if (std::abs(place[axis] - middle) > farthest * scene.support_radius)
             throw InputError(what + std::to_string(number) + " is at " + "xyz"[axis] + " = " +
                              number_text(place[axis]) + " m, more than " + number_text(farthest) +
-                             " support radii from the middle of the domain; what belongs to one "
-                             "fluid lies closer together");
+                             " support radii from the middle of the domain; bring it closer, " +
+                             precision_advice(scene));
     }
 }
 
@@ -84,11 +164,21 @@ void check_places(const SimulationState& state, const Scene& scene,
                   const SceneParticles& particles) {
     for (std::size_t b = 0; b < particles.walls.size(); ++b)
         check_finite(particles.walls[b], "wall particle ", b, "position");
+    check_domain_size(scene);
     const std::array<Place, 2> domain = scene_domain(scene, particles);
-    for (std::size_t i = 0; i < state.positions.size(); ++i)
+    for (std::size_t i = 0; i < state.positions.size(); ++i) {
         check_distance(state.positions[i], scene, domain, "particle ", state.ids[i]);
-    for (std::size_t b = 0; b < particles.walls.size(); ++b)
+        check_resolution(state.positions[i], scene, "particle ", state.ids[i]);
+    }
+    for (std::size_t b = 0; b < particles.walls.size(); ++b) {
         check_distance(particles.walls[b], scene, domain, "wall particle ", b);
+        check_resolution(particles.walls[b], scene, "wall particle ", b);
+    }
+}
+
+std::string diverged_when(const SimulationState& state) {
+    return "the simulation diverged at " + rounded_text(state.time, 6) + " s (step " +
+           std::to_string(state.steps) + "): ";
 }
 
 /// Values in the order of ids.
@@ -116,6 +206,7 @@ public:
                       SimulationState its_state, int threads)
         : scene(its_scene), mass(particles.mass), walls(particles.walls),
           now(std::move(its_state)) {
+        check_numbers(scene, particles);
         check_state(now);
         check_places(now, scene, particles);
         stepper = make_step(scene, particles, threads);
@@ -237,12 +328,26 @@ std::unique_ptr<Simulation> simulate(const Scene& scene, const SceneParticles& p
     return std::make_unique<RunningSimulation>(scene, particles, state, threads);
 }
 
+void report_leap(std::uint32_t particle, double moved, const SimulationState& state) {
+    throw Divergence(diverged_when(state) + "particle " + std::to_string(particle) + " moved " +
+                     rounded_text(moved, 3) + " support radii in one step of " +
+                     rounded_text(state.time_step, 3) +
+                     " s, in which it could pass walls and others unseen; take a smaller "
+                     "\"time_step\" (\"fixed\", or \"smallest\" where that holds it up)");
+}
+
 void report_divergence(std::uint32_t particle, const Place& place, const SimulationState& state,
-                       double density_error) {
-    const std::string when = "the simulation diverged at " + rounded_text(state.time, 6) +
-                             " s (step " + std::to_string(state.steps) + "): ";
-    const std::string advice = "; try a smaller time step, a larger viscosity or a smaller "
-                               "surface-tension coefficient";
+                       double density_error, const DensePlace& densest) {
+    constexpr double dense = 2; // no pressure solve leaves as much
+    const std::string when = diverged_when(state);
+    const std::string advice =
+        densest.density > dense
+            ? "; before this step the fluid around particle " + std::to_string(densest.particle) +
+                  " was " + rounded_text(densest.density, 3) +
+                  " times as dense as at rest: particles lie in one another there, so start them "
+                  "farther apart"
+            : "; try a smaller time step, a larger viscosity or a smaller surface-tension "
+              "coefficient";
     if (particle == std::numeric_limits<std::uint32_t>::max())
         throw Divergence(when + "the mean density error is " + rounded_text(density_error, 3) +
                          advice);

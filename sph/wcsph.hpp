@@ -25,7 +25,7 @@ public:
             fluid.place[i].w = this->pressure[i] = pressure / square;
         });
         fluid.loop.each(fluid.count, [&](std::size_t i) {
-            fluid.velocity[i] = plus(fluid.velocity[i], dt, pressure_acceleration(fluid, i));
+            accelerate(fluid, i, dt, pressure_acceleration(fluid, i));
         });
         SolveReport report;
         report.error = fluid.count == 0 ? 0 : fluid.loop.sum(fluid.count, [&](std::size_t i) {

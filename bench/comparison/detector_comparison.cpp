@@ -74,17 +74,18 @@ struct Row {
 
 Table empty_table(int dimension, int threads) {
     const std::string name = std::to_string(dimension) + "d";
+    const std::string parallel =
+        threads > 1 ? std::to_string(threads) + " threads" : "more threads: not measured";
     return {"detectors_" + name,
             "Surface detectors in " + std::to_string(dimension) + "D",
-            {{"number", "no."},
-             {"detector", "detector"},
+            {{"detector", "detector"},
              {"group", "group"},
              {"false_negatives", "false negatives", 9},
              {"false_negatives_plain", "of them over 2 % uncovered", 9},
              {"missed_area", "missed area, %", 2},
              {"false_positive_rate", "false positives, %"},
              {"time", "ns a particle, 1 thread"},
-             {"time_parallel", "ns a particle, " + std::to_string(threads) + " threads"},
+             {"time_parallel", "ns a particle, " + parallel},
              {"source", "source"}},
             {}};
 }
@@ -120,11 +121,10 @@ Table compare_detectors(const std::vector<FluidState<float>>& states,
         Cell parallel_time;
         if (parallel)
             parallel_time = per_particle(times[*parallel], particles);
-        table.rows.push_back({std::to_string(d + 1), all[d].name, all[d].group,
-                              static_cast<double>(errors.false_negatives),
-                              static_cast<double>(errors.plain_ones), errors.missed_area,
-                              errors.false_positive_rate, per_particle(times[serial], particles),
-                              parallel_time, all[d].source});
+        table.rows.push_back(
+            {all[d].name, all[d].group, static_cast<double>(errors.false_negatives),
+             static_cast<double>(errors.plain_ones), errors.missed_area, errors.false_positive_rate,
+             per_particle(times[serial], particles), parallel_time, all[d].source});
     }
     mark_best(table, {"time", "false_negatives", "false_positive_rate"});
     return table;

@@ -7,7 +7,7 @@
 
 namespace meniscus {
 
-/// Columns: number, detector, group, false_negatives, false_negatives_plain (those with more than 2
+/// Columns: detector, group, false_negatives, false_negatives_plain (those with more than 2
 /// % of the sphere uncovered, the threshold that the shipped line is trained with), missed_area
 /// (percent of the uncovered area of all surface particles), false_positive_rate (percent of all
 /// particles, mean over scenes), time (ns a particle, one thread), time_parallel (on `threads`

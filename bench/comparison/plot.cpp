@@ -15,6 +15,11 @@
 namespace meniscus {
 namespace {
 
+/// Of series, in their order; after the last they begin again. Okabe and Ito's for the color-blind,
+/// without the yellow that is lost on white.
+constexpr const char* colors[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                  "#56b4e9", "#e69f00", "#000000", "#999999"};
+
 struct Point {
     double x, y;
     std::string label;
@@ -142,7 +147,7 @@ std::string panel_script(const Panel& panel, const Plot& plot, const Axis& x, co
         }
         if (!plot.label.empty())
             command += fmt::format(", $all{} using 1:2:3 with labels left offset 0.6,0.3 font "
-                                   "',8' tc lt {} notitle",
+                                   "',9' tc lt {} notitle",
                                    k, k + 1);
     }
     return data + fmt::format("set title {}\n", quoted(panel.name)) + command + "\n";
@@ -158,9 +163,11 @@ std::string script_of(const Table& table, const Plot& plot, const std::vector<Pa
     const Axis x = axis_of("x", plot.x, plot.logarithmic_x, &Point::x);
     const Axis y = axis_of("y", plot.y, plot.logarithmic_y, &Point::y);
     std::string script = fmt::format(
-        "set terminal svg size {},520 noenhanced font 'sans-serif,12' background rgb 'white'\n"
-        "set output {}\nset grid\nset key below\n",
+        "set terminal svg size {},560 noenhanced font 'sans-serif,12' background rgb 'white'\n"
+        "set output {}\nset grid\nset key below maxrows 4\n",
         panels.size() < 2 ? 860 : 480 * panels.size(), quoted(output));
+    for (std::size_t k = 0; k < std::size(colors); ++k)
+        script += fmt::format("set linetype {} lc rgb '{}'\n", k + 1, colors[k]);
     script += x.script + y.script;
     script += "set offsets graph 0.02, graph 0.05, graph 0.05, graph 0.05\n";
     script +=

@@ -8,7 +8,7 @@ namespace {
 using Usage = CommandLine;
 
 constexpr const char* verbs[] = {"simulate", "label",    "train", "export",
-                                 "audit",    "classify", "demo"};
+                                 "audit",    "classify", "demo",  "bench"};
 
 TEST_F(Usage, HelpOfEveryVerb) {
     const std::string overview = succeed({"--help"});

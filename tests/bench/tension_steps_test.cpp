@@ -7,6 +7,7 @@
 #include "bench/table_rows.hpp"
 #include "comparison/known_state.hpp"
 #include "comparison/step_fluid.hpp"
+#include "comparison/step_models.hpp"
 #include "data/test_folder.hpp"
 
 #include <meniscus/data/errors.hpp>
@@ -46,6 +47,25 @@ TEST(StepFluid, IsPulledTogetherAsAnotherLoopHasIt) {
         EXPECT_NEAR(step.fluid.acceleration[i].y, force[i][1], 2e-4);
         EXPECT_NEAR(step.fluid.acceleration[i].z, force[i][2], 2e-4);
     }
+}
+
+TEST(StepModels, PullAlikeWithEveryInstructionSet) {
+    const auto ball = known_state<float>("ball", sphere(2), 0.2);
+    const StepState state{&ball.state.positions, &ball.state.lists, 1, ball.state.particle_volume};
+    std::vector<StepModelKind> kinds;
+    for (const TensionModel model : {TensionModel::meniscus, TensionModel::becker_2007,
+                                     TensionModel::akinci_2013, TensionModel::color_field}) {
+        kinds.emplace_back();
+        kinds.back().options.model = model;
+        kinds.back().options.coefficient = 1;
+    }
+    kinds.push_back({kinds[0].options, true});
+    const auto baseline = step_models_baseline(state, 0.5, kinds);
+    for (const auto& wide :
+         {step_models_avx2(state, 0.5, kinds), step_models_avx512(state, 0.5, kinds)})
+        for (std::size_t model = 0; wide && model < kinds.size(); ++model)
+            EXPECT_EQ(wide->accelerations(model), baseline->accelerations(model)) << model;
+    EXPECT_NE(baseline->accelerations(0), baseline->accelerations(kinds.size() - 1));
 }
 
 TensionStepOptions small_options() {

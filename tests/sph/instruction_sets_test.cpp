@@ -150,6 +150,33 @@ TEST(InstructionSets, GiveTheSameBitsWithForcesOnTheSurfaceOnly) {
     });
 }
 
+TEST(InstructionSets, GiveTheSameBitsInShortSteps) {
+    for (const auto& [solver, name] : solvers)
+        for_each_kind([&, solver = solver, name = name](int dimension, Precision precision) {
+            SCOPED_TRACE(name);
+            Scene scene = drop_scene(dimension, precision, solver, TensionModel::akinci_2013);
+            scene.time_step.fixed = 1e-7;
+            expect_same_everywhere(scene);
+        });
+}
+
+TEST(Steps, GoOnFromAStateAlone) {
+    // Of usual length, then short: what a step keeps beside the state must not count.
+    for (const auto& [solver, name] : solvers)
+        for_each_kind([&, solver = solver, name = name](int dimension, Precision precision) {
+            const Scene scene = drop_scene(dimension, precision, solver, TensionModel::akinci_2013);
+            const SceneParticles particles = drop_particles(scene);
+            SimulationState state = state_after_steps(make_step_baseline, scene, 1);
+            SimulationState other = state;
+            const auto step = make_step_baseline(scene, particles, 1);
+            for (const double longest : {1.0, 1e-7, 1e-7, 1e-7, 1.0}) {
+                step->advance(state, longest);
+                make_step_baseline(scene, particles, 1)->advance(other, longest);
+                expect_same(state, other, name);
+            }
+        });
+}
+
 TEST(Threads, ChangeNoBit) {
     for (const TensionModel model : {TensionModel::meniscus, TensionModel::akinci_2013}) {
         const Scene scene = drop_scene(3, Precision::float32, PressureSolverKind::dfsph, model);

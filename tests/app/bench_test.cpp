@@ -1,0 +1,95 @@
+#include "command.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace meniscus {
+namespace {
+
+class Bench : public CommandLine {
+protected:
+    /// Measures as little as can be, and returns what the report says.
+    [[nodiscard]] nlohmann::json measure(const Words& words) const {
+        const std::string printed = succeed(
+            Words{"bench", "-o", folder / "out", "--repetitions", "1", "--threads", "1"} + words);
+        const nlohmann::json report =
+            nlohmann::json::parse(bytes_of(folder / "out" / "speed_against_error.json"));
+        for (const auto& table : report["tables"])
+            expect_mentions(printed, {table["title"].get<std::string>().c_str()});
+        return report;
+    }
+
+    [[nodiscard]] bool exists(const std::string& name) const {
+        return std::filesystem::exists(folder / "out" / name);
+    }
+};
+
+const nlohmann::json& row_of(const nlohmann::json& table, const std::string& key,
+                             const std::string& value) {
+    for (const auto& row : table["rows"])
+        if (row[key] == value)
+            return row;
+    ADD_FAILURE() << "no row with " << key << " " << value;
+    return table["rows"][0];
+}
+
+TEST_F(Bench, DetectorsAndFeatures) {
+    const auto report = measure({save(block(9), "block.vtkhdf"), sample("cube_iisph_05"),
+                                 "--tables", "detectors,features"});
+    EXPECT_EQ(report["states"][0]["name"], "block");
+    EXPECT_EQ(report["states"][0]["particles"], 729);
+    EXPECT_EQ(report["threads"], 1);
+    EXPECT_GE(report["machine"]["cores"].get<int>(), 1);
+    EXPECT_FALSE(report["machine"]["compiler"].get<std::string>().empty());
+    ASSERT_EQ(report["tables"].size(), 2U);
+    const auto& detectors = report["tables"][0];
+    EXPECT_EQ(detectors["name"], "detectors_3d");
+    const auto& exact = row_of(detectors, "detector", "exact test");
+    EXPECT_EQ(exact["false_negatives"], 0);
+    EXPECT_EQ(exact["false_positive_rate"], 0);
+    EXPECT_EQ(row_of(detectors, "best", "yes")["best"], "yes");
+    EXPECT_GT(row_of(detectors, "group", "visibility")["time"]["median"].get<double>(), 0);
+    for (const char* file : {"detectors_3d.md", "detectors_3d_missed.svg",
+                             "detectors_3d_let_through.svg", "features_3d.md", "features_3d.svg"})
+        EXPECT_TRUE(exists(file)) << file;
+    const std::string text = bytes_of(folder / "out" / "detectors_3d.md");
+    EXPECT_EQ(text.rfind("| no. | detector |", 0), 0U) << text;
+    expect_mentions(text, {"](detectors_3d_missed.svg)"});
+}
+
+TEST_F(Bench, InTwoDimensions) {
+    const auto report = measure({save(block(20, 2), "square.vtkhdf"), "--tables", "detectors"});
+    EXPECT_EQ(report["tables"][0]["name"], "detectors_2d");
+    EXPECT_TRUE(exists("detectors_2d_missed.svg"));
+}
+
+TEST_F(Bench, ShiftedLines) {
+    const auto report = measure({save(block(4), "block.vtkhdf"), "--tables", "line"});
+    EXPECT_EQ(report["tables"][0]["name"], "line_shift");
+    EXPECT_TRUE(exists("line_shift_false_negatives.svg"));
+}
+
+TEST_F(Bench, QuietPrintsNothing) {
+    EXPECT_EQ(succeed({"bench", save(block(4), "block.vtkhdf"), "-o", folder / "out", "--tables",
+                       "detectors", "--repetitions", "1", "--threads", "2", "--quiet"}),
+              "");
+    EXPECT_TRUE(exists("speed_against_error.json"));
+}
+
+TEST_F(Bench, BadInputIsNamed) {
+    Snapshot snapshot = block(3);
+    snapshot.support_radius.reset();
+    const Words bench = {"bench", "-o", folder / "out"};
+    fail(2, bench + Words{save(snapshot, "unknown_radius.vtkhdf")},
+         {"unknown_radius", "support radius", "--support-radius"});
+    fail(2, bench + Words{folder / "missing.vtkhdf"}, {"missing.vtkhdf"});
+    fail(2, bench + Words{"--tables", "everything"}, {"--tables", "everything"});
+    fail(2, bench + Words{"--repetitions", "0"}, {"--repetitions", "0"});
+}
+
+TEST_F(Bench, WithoutGnuplotItSaysSoBeforeItMeasures) {
+    fail_as(3, Words{"env", "PATH=/nowhere"} + program + Words{"bench", "-o", folder / "out"},
+            {"gnuplot", "install"});
+}
+
+} // namespace
+} // namespace meniscus
