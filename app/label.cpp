@@ -47,9 +47,9 @@ void report(const Path& output, const Snapshot& snapshot, const Labels& labels,
                    ? ""
                    : fmt::format(", {} boundary particles cover{}", snapshot.boundary.size(),
                                  boundary_counts ? " and count" : ""),
-               valid == snapshot.size()
-                   ? ""
-                   : fmt::format(", {} left out as not finite", snapshot.size() - valid),
+               valid == snapshot.size() ? ""
+                                        : fmt::format(", {} left out as not finite or too far out",
+                                                      snapshot.size() - valid),
                support_radius_note(snapshot));
 }
 

@@ -144,6 +144,23 @@ TEST_F(Label, WarnsOfAnImplausibleSupportRadius) {
     expect_mentions(outcome.errors, {"warning", "neighbor count", "support radius"});
 }
 
+TEST_F(Label, SaysWhereSinglePrecisionLosesThePositions) {
+    const auto moved = [&](double distance) {
+        Snapshot snapshot = block(8);
+        snapshot.position_precision = Precision::float32;
+        for (auto& position : snapshot.positions)
+            position[0] += distance * *snapshot.support_radius;
+        return save(snapshot, "far.vtkhdf");
+    };
+    const Outcome outcome =
+        run(program + Words{"label", moved(1e4), "-o", folder / "out", "--quiet"});
+    EXPECT_EQ(outcome.status, 0);
+    expect_one_line(outcome.errors);
+    expect_mentions(outcome.errors, {"warning", "single precision", "doubtful"});
+    fail(2, {"label", moved(1e6), "-o", folder / "out"},
+         {"far.vtkhdf", "512 of 512 particles", "single precision", "--skip-invalid"});
+}
+
 TEST_F(Label, InvalidParticlesAreLeftOutOnRequest) {
     Snapshot snapshot = block(5);
     const auto without =
