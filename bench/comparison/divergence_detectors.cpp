@@ -7,7 +7,7 @@
 //    state has no step before.
 //  - DualSPHysics (ShiftTFS of its shifting): 2.75 in space, 1.5 in the plane, as its guide
 //  advises.
-// Both run with wider kernels (support of 2.6 and about 2.4 to 3.5 spacings), others than the cubic
+// Both usually run with wider supports than two spacings and with other kernels than the cubic
 // spline, and count boundary particles, which states do not have.
 #include "comparison/detector.hpp"
 #include "comparison/renormalization.hpp"

@@ -6,12 +6,12 @@
 //
 // Where the paper leaves room:
 //  - Its lengths are in smoothing lengths. Here one is half the support radius, as for the kernels
-//    that solvers use most (cubic spline, Wendland), and as in DualSPHysics, which has the same
-//    test. The umbrella then reaches exactly as far as the neighbor lists.
+//    that solvers use most (cubic spline, Wendland), and as in programs derived from DualSPHysics,
+//    which have the same test. The umbrella then reaches exactly as far as the neighbor lists.
 //  - In the plane the paper writes the cone by the distances along the normal and across; within
 //    sqrt(2) smoothing lengths both say the same, so one formula serves for both dimensions.
 //  - The normal is the renormalized gradient of the eigenvalue, which falls towards the surface. A
-//    second detector takes that of the constant 1, as DualSPHysics does, which spares a pass.
+//    second detector takes that of the constant 1, as those programs do, which spares a pass.
 //  - The normal may vanish (a film of one layer). The particle is then surface: it cannot be shown
 //    to be covered.
 #include "comparison/detector.hpp"

@@ -3,14 +3,12 @@
 #include "comparison/half_plane.hpp"
 #include "comparison/particle_features.hpp"
 
-#include <meniscus/runtime/parallel_loop.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <functional>
 #include <limits>
 #include <map>
-#include <set>
 
 namespace meniscus {
 namespace {

@@ -2,8 +2,6 @@
 
 #include "comparison/renormalization.hpp"
 
-#include <meniscus/runtime/parallel_loop.hpp>
-
 #include <utility>
 
 namespace meniscus {

@@ -9,9 +9,9 @@
 // them the places rho off a particle, away from the mean of what lies within 2 rho, around which
 // 0.95 rho are empty. A viewpoint looks at all within 4 rho.
 //
-// Chosen here, where the paper says that the smoothing length serves for rho: the support radius,
-// since the authors' own data have rho = 2.7 spacings; and half of it, which fits twice as fine.
-// Flipped distances are d^(1 - gamma), with gamma 1.3 as in all of the authors' configurations.
+// Chosen here, where that program says that the smoothing length is a good rho in general: the
+// support radius, since in its example of a vortex rho is about 2.7 spacings; and half of it.
+// Flipped distances are d^(1 - gamma), with gamma 1.3 as in both of its examples.
 //
 // Their program fails where all that a viewpoint sees lies in one plane with it. Here all of that
 // is visible: there is nothing that could hide it. Of particles in one place one is visible.
