@@ -119,7 +119,8 @@ if wanted speed-against-error; then
     page=docs/speed_against_error.md
     scripts/bench.sh -o "$work/bench"
     bench=build/bench/bin/meniscus
-    for table in machine detectors_3d features_3d coverage_estimators line_shift tension_steps; do
+    for table in machine detectors_3d features_3d{,_2_percent} coverage_estimators line_shift \
+        tension_steps; do
         sed 's#](\([a-z0-9_]*\.svg\))#](plots/\1)#' "$work/bench/$table.md" |
             replace "$page" "${table//_/-}"
     done

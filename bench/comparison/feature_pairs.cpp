@@ -221,6 +221,7 @@ std::vector<RepeatedTime> times_of(const std::vector<FluidState<float>>& states,
     for (const auto& state : states)
         particles += static_cast<double>(state.size());
     std::vector<Timed> timed;
+    timed.reserve(all.size());
     for (const Candidate& candidate : all)
         timed.push_back({[&states, &features, a = candidate.a, b = candidate.b] {
             for (std::size_t s = 0; s < states.size(); ++s)

@@ -18,7 +18,7 @@ std::optional<double> figure(const Cell& cell) {
 }
 
 std::string number_cell(double value, int digits) {
-    const std::string text = fmt::format("{:.{}g}", value, digits);
+    std::string text = fmt::format("{:.{}g}", value, digits);
     if (text.find('e') == std::string::npos)
         return text;
     return fmt::format("{:.0f}", value).size() <= 9 && std::abs(value) >= 1

@@ -227,9 +227,9 @@ void Visibility<Real>::operator()(std::vector<std::uint8_t>& surface) {
     place_viewpoints(grid);
     // One viewpoint at a time, since each takes long and there may be few.
 #pragma omp parallel for schedule(dynamic) num_threads(threads)
-    for (std::size_t v = 0; v < viewpoints.size(); ++v) {
+    for (const Place& viewpoint : viewpoints) {
         const auto worker = static_cast<std::size_t>(omp_get_thread_num());
-        look(grid, viewpoints[v], sights[worker], visible[worker]);
+        look(grid, viewpoint, sights[worker], visible[worker]);
     }
     for (const auto& seen : visible)
         for (const std::uint32_t particle : seen)

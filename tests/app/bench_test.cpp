@@ -11,7 +11,7 @@ protected:
     [[nodiscard]] nlohmann::json measure(const Words& words) const {
         const std::string printed = succeed(
             Words{"bench", "-o", folder / "out", "--repetitions", "1", "--threads", "1"} + words);
-        const nlohmann::json report =
+        nlohmann::json report =
             nlohmann::json::parse(bytes_of(folder / "out" / "speed_against_error.json"));
         for (const auto& table : report["tables"])
             expect_mentions(printed, {table["title"].get<std::string>().c_str()});
@@ -40,7 +40,7 @@ TEST_F(Bench, DetectorsAndFeatures) {
     EXPECT_EQ(report["threads"], 1);
     EXPECT_GE(report["machine"]["cores"].get<int>(), 1);
     EXPECT_FALSE(report["machine"]["compiler"].get<std::string>().empty());
-    ASSERT_EQ(report["tables"].size(), 2U);
+    ASSERT_EQ(report["tables"].size(), 3U);
     const auto& detectors = report["tables"][0];
     EXPECT_EQ(detectors["name"], "detectors_3d");
     const auto& exact = row_of(detectors, "detector", "exact test");
@@ -48,8 +48,9 @@ TEST_F(Bench, DetectorsAndFeatures) {
     EXPECT_EQ(exact["false_positive_rate"], 0);
     EXPECT_EQ(row_of(detectors, "best", "yes")["best"], "yes");
     EXPECT_GT(row_of(detectors, "group", "visibility")["time"]["median"].get<double>(), 0);
-    for (const char* file : {"detectors_3d.md", "detectors_3d_missed.svg",
-                             "detectors_3d_let_through.svg", "features_3d.md", "features_3d.svg"})
+    for (const char* file :
+         {"detectors_3d.md", "detectors_3d_missed.svg", "detectors_3d_let_through.svg",
+          "features_3d.md", "features_3d.svg", "features_3d_2_percent.md"})
         EXPECT_TRUE(exists(file)) << file;
     const std::string text = bytes_of(folder / "out" / "detectors_3d.md");
     EXPECT_EQ(text.rfind("| no. | detector |", 0), 0U) << text;
