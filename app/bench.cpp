@@ -287,6 +287,7 @@ void add_bench(CLI::App& command) {
         names.emplace_back(table.name);
     verb->add_option("--tables", options->tables, "Which ones: " + table_names() + "; all of them")
         ->delimiter(',')
+        ->allow_extra_args(false)
         ->check(CLI::IsMember(names));
     verb->add_option("--repetitions", options->timing.repetitions,
                      "Runs that a median is taken of; three of what takes long")

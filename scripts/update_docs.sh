@@ -130,7 +130,7 @@ if wanted speed-against-error; then
     scripts/make_states.sh audit_2d "$work/unseen_2d" "$bench"
     scripts/make_states.sh audit_double_dam "$work/double_dam" "$bench"
     for states in unseen_3d unseen_2d double_dam; do
-        "$bench" bench -o "$work/bench_$states" --tables detectors "$work/$states"/*.vtkhdf
+        "$bench" bench "$work/$states"/*.vtkhdf -o "$work/bench_$states" --tables detectors
         grep -v '^!\[' "$work/bench_$states"/detectors_?d.md | replace "$page" "${states//_/-}"
     done
 fi

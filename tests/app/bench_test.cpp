@@ -58,7 +58,7 @@ TEST_F(Bench, DetectorsAndFeatures) {
 }
 
 TEST_F(Bench, InTwoDimensions) {
-    const auto report = measure({save(block(20, 2), "square.vtkhdf"), "--tables", "detectors"});
+    const auto report = measure({"--tables", "detectors", save(block(20, 2), "square.vtkhdf")});
     EXPECT_EQ(report["tables"][0]["name"], "detectors_2d");
     EXPECT_TRUE(exists("detectors_2d_missed.svg"));
 }
