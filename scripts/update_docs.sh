@@ -125,14 +125,20 @@ if wanted speed-against-error; then
             replace "$page" "${table//_/-}"
     done
     cp "$work"/bench/*.svg docs/plots
-    # States that no line has seen, and the scene that the paper compares itself on.
+    # Detectors on states that no line has seen, and on the scene that the paper compares itself on.
     scripts/make_states.sh audit_3d "$work/unseen_3d" "$bench"
     scripts/make_states.sh audit_2d "$work/unseen_2d" "$bench"
     scripts/make_states.sh audit_double_dam "$work/double_dam" "$bench"
     for states in unseen_3d unseen_2d double_dam; do
-        "$bench" bench "$work/$states"/*.vtkhdf -o "$work/bench_$states" --tables detectors
+        "$bench" bench "$work/$states"/*.vtkhdf -o "$work/bench_$states" --tables detectors \
+            --repetitions 5
         grep -v '^!\[' "$work/bench_$states"/detectors_?d.md | replace "$page" "${states//_/-}"
     done
+    # Features on all that the shipped line is trained on.
+    scripts/make_states.sh training_3d "$work/training" "$bench"
+    "$bench" bench data/samples/*.vtkhdf "$work"/training/*.vtkhdf -o "$work/bench_training" \
+        --tables features --repetitions 5
+    grep -v '^!\[' "$work/bench_training/features_3d_2_percent.md" | replace "$page" own-features
 fi
 if wanted hard-cases; then
     "$bin/hard_cases_table" | replace docs/hard_cases.md hard-cases

@@ -165,7 +165,7 @@ std::string script_of(const Table& table, const Plot& plot, const std::vector<Pa
     std::string script = fmt::format(
         "set terminal svg size {},560 noenhanced font 'sans-serif,12' background rgb 'white'\n"
         "set output {}\nset grid\nset key below maxrows 4\n",
-        panels.size() < 2 ? 860 : 480 * panels.size(), quoted(output));
+        panels.size() < 2 ? 860 : 560 * panels.size(), quoted(output));
     for (std::size_t k = 0; k < std::size(colors); ++k)
         script += fmt::format("set linetype {} lc rgb '{}'\n", k + 1, colors[k]);
     script += x.script + y.script;
