@@ -1,4 +1,5 @@
 #include "comparison/detector_comparison.hpp"
+#include "comparison/per_particle.hpp"
 
 #include <deque>
 #include <map>
@@ -60,11 +61,6 @@ struct Run {
     }
 };
 
-RepeatedTime per_particle(RepeatedTime seconds, double particles) {
-    const double scale = 1e9 / particles;
-    return {seconds.median * scale, seconds.lower * scale, seconds.upper * scale};
-}
-
 /// A detector's places among what is timed, and its errors.
 struct Row {
     std::size_t serial;
@@ -95,9 +91,9 @@ Table empty_table(int dimension, int threads) {
 Table compare_detectors(const std::vector<FluidState<float>>& states,
                         const std::vector<Detector<float>>& all, int threads,
                         const TimingOptions& timing) {
-    double particles = 0;
+    std::size_t particles = 0;
     for (const auto& state : states)
-        particles += static_cast<double>(state.size());
+        particles += state.size();
     std::deque<Run> runs; // which do not move
     std::vector<Timed> timed;
     const auto add = [&](const Detector<float>& detector, int number) {
@@ -120,11 +116,11 @@ Table compare_detectors(const std::vector<FluidState<float>>& states,
         const auto& [serial, parallel, errors] = rows[d];
         Cell parallel_time;
         if (parallel)
-            parallel_time = per_particle(times[*parallel], particles);
+            parallel_time = per_particle(times[*parallel], 1e-9, particles);
         table.rows.push_back(
             {all[d].name, all[d].group, static_cast<double>(errors.false_negatives),
              static_cast<double>(errors.plain_ones), errors.missed_area, errors.false_positive_rate,
-             per_particle(times[serial], particles), parallel_time, all[d].source});
+             per_particle(times[serial], 1e-9, particles), parallel_time, all[d].source});
     }
     mark_best(table, {"time", "false_negatives", "false_positive_rate"});
     return table;

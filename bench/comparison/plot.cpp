@@ -36,14 +36,6 @@ struct Panel {
     std::vector<Series> series;
 };
 
-std::optional<double> figure(const Cell& cell) {
-    if (const auto* number = std::get_if<double>(&cell))
-        return *number;
-    if (const auto* time = std::get_if<RepeatedTime>(&cell))
-        return time->median;
-    return std::nullopt;
-}
-
 std::string text_of(const Table& table, const std::vector<Cell>& row, const std::string& key) {
     return key.empty() ? "" : std::get<std::string>(row[table.column(key)]);
 }

@@ -8,15 +8,6 @@
 namespace meniscus {
 namespace {
 
-/// A figure by which methods are compared: smaller is better.
-std::optional<double> figure(const Cell& cell) {
-    if (const auto* number = std::get_if<double>(&cell))
-        return *number;
-    if (const auto* time = std::get_if<RepeatedTime>(&cell))
-        return time->median;
-    return std::nullopt;
-}
-
 std::string number_cell(double value, int digits) {
     std::string text = fmt::format("{:.{}g}", value, digits);
     if (text.find('e') == std::string::npos)
@@ -65,6 +56,14 @@ bool beats(const Figures& one, const Figures& other) {
 }
 
 } // namespace
+
+std::optional<double> figure(const Cell& cell) {
+    if (const auto* number = std::get_if<double>(&cell))
+        return *number;
+    if (const auto* time = std::get_if<RepeatedTime>(&cell))
+        return time->median;
+    return std::nullopt;
+}
 
 std::size_t Table::column(const std::string& key) const {
     for (std::size_t k = 0; k < columns.size(); ++k)

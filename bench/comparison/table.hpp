@@ -38,6 +38,9 @@ struct Table {
     [[nodiscard]] std::size_t column(const std::string& key) const;
 };
 
+/// The number of a cell, the median of a time; nothing for texts and empty cells.
+std::optional<double> figure(const Cell& cell);
+
 /// Adds a column "best" that says "yes" in each row that no other row beats: none is at most equal
 /// in each of the columns `keys` and less in one. Rows that lack one of the figures are not among
 /// the best. Where `group` names a column, rows are compared only with those of equal text there.
