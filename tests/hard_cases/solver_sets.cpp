@@ -54,7 +54,7 @@ std::string mass_refusal(const HardCase& hard_case, Scene scene) {
                       ("hard_case_" + std::to_string(::getpid()) + ".vtkhdf");
     write_vtkhdf(snapshot_of(hard_case), file);
     scene.fluid = {{SnapshotShape{file, {}}, {}}};
-    const std::string message = message_of([&] { fill_scene(scene); });
+    std::string message = message_of([&] { fill_scene(scene); });
     std::filesystem::remove(file);
     return message;
 }
