@@ -71,7 +71,7 @@ TEST_F(Bench, ShiftedLines) {
 
 TEST_F(Bench, QuietPrintsNothing) {
     EXPECT_EQ(succeed({"bench", save(block(4), "block.vtkhdf"), "-o", folder / "out", "--tables",
-                       "detectors", "--repetitions", "1", "--threads", "2", "--quiet"}),
+                       "detectors", "--repetitions", "1", "--threads", "1", "--quiet"}),
               "");
     EXPECT_TRUE(exists("speed_against_error.json"));
 }

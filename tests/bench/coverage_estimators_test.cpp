@@ -17,6 +17,7 @@ const Table& small_table() {
         options.ball_radius = 2.5;
         options.disc_radius = 5;
         options.saddle_width = 7;
+        options.threads = 1;
         options.timing = {1, no_time};
         return coverage_estimators(options);
     }();

@@ -37,7 +37,7 @@ std::vector<Detector<Real>> rivals(int dimension) {
 
 template <class Real>
 std::vector<std::uint8_t> detect(const Detector<Real>& detector, const FluidState<Real>& state,
-                                 int threads = 2) {
+                                 int threads = 1) {
     std::vector<std::uint8_t> surface(3, 7); // whatever it held before
     const Detection detection = detector.prepare(state, threads);
     detection(surface);
