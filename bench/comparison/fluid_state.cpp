@@ -33,19 +33,39 @@ double median_volume(const Snapshot& snapshot, const NeighborLists& lists, doubl
     return (snapshot.dimension == 2 ? h * h : h * h * h) / *middle;
 }
 
-} // namespace
-
-template <class Real>
-FluidState<Real> fluid_state(const Snapshot& snapshot, const std::string& name) {
+/// Throws InputError where a snapshot cannot be compared on.
+void check_state(const Snapshot& snapshot, const std::string& name) {
     if (snapshot.size() == 0)
         throw InputError(name + ": has no particles, so there is nothing to compare on it");
     if (!snapshot.support_radius)
         throw InputError(name + ": stores no support radius that serves all particles, which a "
                                 "comparison needs; `meniscus label --support-radius H` stores one");
-    const double h = *snapshot.support_radius;
+    const auto finite = finite_positions(snapshot);
+    const auto first = std::find(finite.begin(), finite.end(), 0);
+    if (first != finite.end())
+        throw InputError(name + ": particle " + std::to_string(first - finite.begin()) +
+                         " has a position that is not finite; a comparison needs files without "
+                         "such particles");
+}
+
+/// Exact labels of the fluid alone; errors name the state.
+Labels exact_labels_of(const Snapshot& snapshot, const std::string& name) {
     Snapshot fluid = snapshot;
     fluid.boundary.clear();
-    const Labels labels = label_particles(fluid, h, {});
+    try {
+        return label_particles(fluid, *snapshot.support_radius, {});
+    } catch (const InputError& error) {
+        throw InputError(name + ": " + error.what());
+    }
+}
+
+} // namespace
+
+template <class Real>
+FluidState<Real> fluid_state(const Snapshot& snapshot, const std::string& name) {
+    check_state(snapshot, name);
+    const double h = *snapshot.support_radius;
+    const Labels labels = exact_labels_of(snapshot, name);
     FluidState<Real> state;
     state.name = name;
     state.dimension = snapshot.dimension;
@@ -63,7 +83,8 @@ FluidState<Real> fluid_state(const Snapshot& snapshot, const std::string& name) 
 template <class Real>
 FluidState<Real> read_fluid_state(const std::filesystem::path& file) {
     const Snapshot snapshot = read_snapshot(file);
-    auto state = fluid_state<Real>(snapshot, file.stem().string());
+    auto state = fluid_state<Real>(snapshot, file.string());
+    state.name = file.stem().string();
     state.scene = scene_of(snapshot, file);
     return state;
 }

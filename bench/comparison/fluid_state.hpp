@@ -40,7 +40,8 @@ struct FluidState {
 
 /// Takes a snapshot over and labels it by exact coverage (radius ratio 0.8), boundary particles
 /// left out. Throws InputError, naming `name`, where the snapshot has no particle, stores no
-/// support radius or one for each particle; and as label_particles does.
+/// support radius or one for each particle, or has a position that is not finite; and as
+/// label_particles does.
 template <class Real>
 FluidState<Real> fluid_state(const Snapshot& snapshot, const std::string& name);
 

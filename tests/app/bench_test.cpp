@@ -1,5 +1,6 @@
 #include "command.hpp"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace meniscus {
@@ -82,6 +83,12 @@ TEST_F(Bench, BadInputIsNamed) {
     const Words bench = {"bench", "-o", folder / "out"};
     fail(2, bench + Words{save(snapshot, "unknown_radius.vtkhdf")},
          {"unknown_radius", "support radius", "--support-radius"});
+    snapshot = block(3);
+    snapshot.positions[5][1] = NAN;
+    fail(2, bench + Words{save(snapshot, "hole.vtkhdf")}, {"hole.vtkhdf", "particle 5", "finite"});
+    snapshot = block(3);
+    snapshot.positions[5][1] = 1e300;
+    fail(2, bench + Words{save(snapshot, "far.vtkhdf")}, {"far.vtkhdf", "far from the origin"});
     fail(2, bench + Words{folder / "missing.vtkhdf"}, {"missing.vtkhdf"});
     fail(2, bench + Words{"--tables", "everything"}, {"--tables", "everything"});
     fail(2, bench + Words{"--repetitions", "0"}, {"--repetitions", "0"});
