@@ -1,8 +1,8 @@
 // meniscus audit: false negatives and false positives of a model, scene by scene.
 #include "command_line.hpp"
 
-#include <meniscus/classifier/audit.hpp>
-#include <meniscus/data/errors.hpp>
+#include <meniscus/classifier/audit/audit.hpp>
+#include <meniscus/data/text/errors.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -56,7 +56,8 @@ void run_audit(const AuditCommand& command) {
 
 void add_audit(CLI::App& command) {
     auto options = std::make_shared<AuditCommand>();
-    auto* verb = command.add_subcommand("audit", "Count what a model misses and lets through");
+    auto* verb =
+        command.add_subcommand("audit", "Count a model's false negatives and false positives");
     verb->add_option("LABELLED", options->inputs, "Snapshots that `meniscus label` has written")
         ->required();
     verb->add_option("--model", options->model, "Model file")->required();

@@ -1,9 +1,9 @@
 // meniscus calibrate: the curvature map, from clouds of known curvature.
 #include "command_line.hpp"
 
-#include <meniscus/classifier/curvature_model.hpp>
-#include <meniscus/data/snapshot_files.hpp>
-#include <meniscus/data/text.hpp>
+#include <meniscus/classifier/curvature/curvature_model.hpp>
+#include <meniscus/data/text/files.hpp>
+#include <meniscus/data/text/text.hpp>
 
 #include <fmt/format.h>
 #include <memory>

@@ -2,13 +2,13 @@
 #include "label.hpp"
 #include "surface_tension.hpp"
 
-#include <meniscus/classifier/audit.hpp>
-#include <meniscus/classifier/classify_snapshot.hpp>
-#include <meniscus/data/errors.hpp>
-#include <meniscus/data/snapshot_files.hpp>
-#include <meniscus/data/text.hpp>
-#include <meniscus/data/vtkhdf.hpp>
-#include <meniscus/version.hpp>
+#include <meniscus/classifier/audit/audit.hpp>
+#include <meniscus/classifier/model/classify_snapshot.hpp>
+#include <meniscus/data/formats/vtkhdf.hpp>
+#include <meniscus/data/text/errors.hpp>
+#include <meniscus/data/text/files.hpp>
+#include <meniscus/data/text/text.hpp>
+#include <meniscus/runtime/version.hpp>
 
 #include <fmt/format.h>
 #include <memory>
@@ -29,7 +29,7 @@ struct ClassifyCommand {
 
 void classify_file(const Path& input, const Path& output, const Model& model,
                    const std::string& model_hash, const Boundary& boundary,
-                   const ClassifyCommand& command) {
+                   const SurfaceTensionOptions& options, const ClassifyCommand& command) {
     Snapshot snapshot = read_input(input, command.input);
     set_boundary(snapshot, boundary);
     earlier_output(output, "predicted_surface");
@@ -37,8 +37,8 @@ void classify_file(const Path& input, const Path& output, const Model& model,
         classify_snapshot(snapshot, model, {command.skip_invalid, command.threads});
     set_array(snapshot, {"predicted_surface", 1, classes.surface});
     set_array(snapshot, {"valid", 1, classes.valid});
-    const SurfaceReport report =
-        add_surface(snapshot, classes, model, command.surface, command.threads);
+    const SurfaceReport report = add_surface(snapshot, classes, model, options,
+                                             command.surface.balance_momentum, command.threads);
     snapshot.provenance["program"] = std::string("meniscus ") + program_version;
     snapshot.provenance["input_hash"] = file_hash(input);
     snapshot.provenance["model_hash"] = model_hash;
@@ -54,6 +54,7 @@ void classify_file(const Path& input, const Path& output, const Model& model,
 }
 
 void run_classify(const ClassifyCommand& command) {
+    const SurfaceTensionOptions options = surface_options(command.surface);
     const Model model = read_model(command.model);
     const std::string model_hash = file_hash(command.model);
     const auto outputs = output_files(command.files);
@@ -61,7 +62,7 @@ void run_classify(const ClassifyCommand& command) {
     make_writable_folder(command.files.folder);
     for (std::size_t f = 0; f < outputs.size(); ++f)
         naming_file(command.files.inputs[f], [&] {
-            classify_file(command.files.inputs[f], outputs[f], model, model_hash, boundary,
+            classify_file(command.files.inputs[f], outputs[f], model, model_hash, boundary, options,
                           command);
         });
 }

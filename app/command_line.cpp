@@ -1,6 +1,6 @@
 #include "command_line.hpp"
 
-#include <meniscus/data/errors.hpp>
+#include <meniscus/data/text/errors.hpp>
 
 #include <csignal>
 #include <cstdio>

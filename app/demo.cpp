@@ -2,10 +2,10 @@
 #include "label.hpp"
 #include "shipped_files.hpp"
 
-#include <meniscus/classifier/audit.hpp>
-#include <meniscus/classifier/header_export.hpp>
-#include <meniscus/classifier/trainer.hpp>
-#include <meniscus/data/snapshot_files.hpp>
+#include <meniscus/classifier/audit/audit.hpp>
+#include <meniscus/classifier/export/header_export.hpp>
+#include <meniscus/classifier/objectives/trainer.hpp>
+#include <meniscus/data/text/files.hpp>
 
 #include <fmt/format.h>
 #include <memory>

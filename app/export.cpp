@@ -1,10 +1,10 @@
 // meniscus export: a model of either kind as a coefficient header for a solver.
 #include "command_line.hpp"
 
-#include <meniscus/classifier/curvature_model.hpp>
-#include <meniscus/classifier/header_export.hpp>
-#include <meniscus/classifier/model.hpp>
-#include <meniscus/data/snapshot_files.hpp>
+#include <meniscus/classifier/curvature/curvature_model.hpp>
+#include <meniscus/classifier/export/header_export.hpp>
+#include <meniscus/classifier/model/model.hpp>
+#include <meniscus/data/text/files.hpp>
 
 #include <fmt/format.h>
 #include <memory>

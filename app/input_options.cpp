@@ -1,8 +1,9 @@
 #include "label.hpp"
 
-#include <meniscus/data/errors.hpp>
-#include <meniscus/data/particle_arrays.hpp>
-#include <meniscus/data/snapshot_files.hpp>
+#include <meniscus/data/formats/snapshot_files.hpp>
+#include <meniscus/data/particles/particle_arrays.hpp>
+#include <meniscus/data/text/errors.hpp>
+#include <meniscus/data/text/files.hpp>
 
 #include <cmath>
 #include <fmt/format.h>
@@ -63,7 +64,7 @@ Snapshot read_input(const Path& file, const InputOptions& options) {
     }
     const SupportRadii radii = support_radii(snapshot);
     if (!radii.vary())
-        snapshot.support_radius = radii.largest;
+        snapshot.support_radius = radii.max;
     check_positive("the stored support radius", snapshot.support_radius);
     return snapshot;
 }
@@ -89,9 +90,8 @@ void set_boundary(Snapshot& snapshot, const Boundary& boundary) {
 
 std::string support_radius_text(const Snapshot& snapshot) {
     const SupportRadii radii = support_radii(snapshot);
-    return radii.vary()
-               ? fmt::format("support radii of {:.4g} to {:.4g} m", radii.smallest, radii.largest)
-               : fmt::format("support radius of {} m", radii.largest);
+    return radii.vary() ? fmt::format("support radii of {:.4g} to {:.4g} m", radii.min, radii.max)
+                        : fmt::format("support radius of {} m", radii.max);
 }
 
 std::string support_radius_note(const Snapshot& snapshot) {

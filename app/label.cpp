@@ -1,12 +1,13 @@
 // meniscus label: ground truth for snapshots of any format.
 #include "label.hpp"
 
-#include <meniscus/data/errors.hpp>
-#include <meniscus/data/particle_arrays.hpp>
-#include <meniscus/data/snapshot_files.hpp>
-#include <meniscus/data/text.hpp>
-#include <meniscus/data/vtkhdf.hpp>
-#include <meniscus/labeler/directions.hpp>
+#include <meniscus/data/formats/vtkhdf.hpp>
+#include <meniscus/data/particles/feature_names.hpp>
+#include <meniscus/data/particles/particle_arrays.hpp>
+#include <meniscus/data/text/errors.hpp>
+#include <meniscus/data/text/files.hpp>
+#include <meniscus/data/text/text.hpp>
+#include <meniscus/labeler/sampling/directions.hpp>
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -173,6 +174,14 @@ void add_label(CLI::App& command) {
     verb->add_flag("--no-boundary", options->no_boundary,
                    "Boundary particles that an input holds do not cover")
         ->excludes(boundary);
+    verb->add_option_function<std::vector<std::string>>(
+            "--features",
+            [options](const std::vector<std::string>& names) {
+                for (const std::string& name : names)
+                    options->label.features.push_back(feature_named(name));
+            },
+            fmt::format("Features to store beside {}, of {}", names_of({}), feature_names()))
+        ->delimiter(',');
     verb->add_flag("--boundary-counts", options->label.boundary_counts,
                    "Boundary particles count in the features too, each with the mean mass of the "
                    "fluid particles: for a solver whose own sums include them (default: they only "

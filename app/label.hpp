@@ -3,7 +3,7 @@
 
 #include "command_line.hpp"
 
-#include <meniscus/data/snapshot.hpp>
+#include <meniscus/data/particles/snapshot.hpp>
 #include <meniscus/labeler/labeler.hpp>
 
 #include <optional>

@@ -3,8 +3,8 @@
 // 3 failure while running, 130 interrupted.
 #include "command_line.hpp"
 
-#include <meniscus/data/errors.hpp>
-#include <meniscus/version.hpp>
+#include <meniscus/data/text/errors.hpp>
+#include <meniscus/runtime/version.hpp>
 
 #include <cstdio>
 #include <new>
@@ -61,7 +61,7 @@ int main(int argument_count, char** arguments) {
         meniscus::add_audit(command);
         meniscus::add_classify(command);
         meniscus::add_demo(command);
-#if defined(MENISCUS_HAS_BENCH)
+#if MENISCUS_HAS_BENCH
         meniscus::add_bench(command);
 #endif
         return run(command, argument_count, arguments);

@@ -1,6 +1,6 @@
 #include "shipped_files.hpp"
 
-#include <meniscus/data/errors.hpp>
+#include <meniscus/data/text/errors.hpp>
 
 #include <algorithm>
 #include <fmt/format.h>

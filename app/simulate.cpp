@@ -1,10 +1,10 @@
 // meniscus simulate: runs a scene and writes its frames, its log and its checkpoints.
 #include "command_line.hpp"
 
-#include <meniscus/data/errors.hpp>
-#include <meniscus/data/snapshot_files.hpp>
-#include <meniscus/data/text.hpp>
-#include <meniscus/sph/run.hpp>
+#include <meniscus/data/text/errors.hpp>
+#include <meniscus/data/text/files.hpp>
+#include <meniscus/data/text/text.hpp>
+#include <meniscus/sph/run/run.hpp>
 
 #include <fmt/format.h>
 #include <memory>

@@ -4,35 +4,32 @@
 
 #include "command_line.hpp"
 
-#include <meniscus/classifier/classify_snapshot.hpp>
+#include <meniscus/classifier/model/classify_snapshot.hpp>
+#include <meniscus/runtime/surface/surface_options.hpp>
 
+#include <map>
 #include <optional>
+#include <string>
 
 namespace meniscus {
 
-/// What the user asks of the runtime; what is not set is as in the runtime's own options, or with
-/// `paper` as in the 2020 paper.
+/// What the user asks of the runtime.
 struct SurfaceChoices {
     bool paper = false;
-    bool exact = false; ///< coverage in closed form, for all candidates
-    std::optional<std::size_t> samples;
+    /// Options of the runtime's table by name, as texts that were checked; empty: not asked for.
+    std::map<std::string, std::string> options;
     std::optional<double> time_step;        ///< s
     std::optional<double> sampling_density; ///< 1/s
-    bool drop_covered = false;
-    std::optional<double> fade;
-    bool no_fade = false;
-    std::optional<int> normal_passes;
-    std::optional<double> tau;
-    std::optional<double> pca_share;
-    std::string curvature; ///< closed, mapped or empty
-    std::optional<int> curvature_passes;
-    std::string force;                     ///< paper, calibrated or empty
-    std::optional<double> surface_tension; ///< N/m
     bool balance_momentum = false;
 };
 
-/// Adds the options above to a verb.
+/// Adds options to a verb: those of the runtime's table that neither model nor input give, and
+/// what the choices have besides.
 void add_surface_options(CLI::App& verb, SurfaceChoices& choices);
+
+/// The options that the choices make, over the runtime's own or, with `paper`, over the 2020
+/// paper's. Throws InputError where one has no meaning beside another.
+SurfaceTensionOptions surface_options(const SurfaceChoices& choices);
 
 /// What was found, in words for the line that is printed, and what there is to note.
 struct SurfaceReport {
@@ -42,10 +39,12 @@ struct SurfaceReport {
 
 /// Adds the arrays of the runtime (surface_class, runtime_*; docs/file_formats.md) to a snapshot
 /// that was classified into `classes` by `model`, and says in its provenance how they were made.
-/// The line's candidates are those of `classes`. Boundary particles cover, and bodies that touch
-/// them keep their net force. `threads` 0 takes all cores; no bit depends on it. Throws InputError
-/// where the boundary or the array `id` cannot be used, or the model's radius ratio is 1.
+/// The line's candidates are those of `classes`; model and snapshot give radius_ratio and
+/// spacing_ratio of the options. Boundary particles cover. `balanced`: bodies that touch none of
+/// them have no net force and torque. `threads` 0 takes all cores; no bit depends on it. Throws
+/// InputError where the boundary or the array `id` cannot be used, or the model's radius ratio
+/// is 1.
 SurfaceReport add_surface(Snapshot& snapshot, const Classes& classes, const Model& model,
-                          const SurfaceChoices& choices, int threads);
+                          SurfaceTensionOptions options, bool balanced, int threads);
 
 } // namespace meniscus

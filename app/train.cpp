@@ -1,9 +1,12 @@
 // meniscus train: the line, from labelled snapshots.
 #include "command_line.hpp"
 
-#include <meniscus/classifier/labelled_state.hpp>
-#include <meniscus/classifier/trainer.hpp>
-#include <meniscus/data/snapshot_files.hpp>
+#include <meniscus/classifier/objectives/objectives.hpp>
+#include <meniscus/classifier/objectives/scene_errors.hpp>
+#include <meniscus/classifier/objectives/trainer.hpp>
+#include <meniscus/classifier/training_set/labelled_state.hpp>
+#include <meniscus/data/particles/feature_names.hpp>
+#include <meniscus/data/text/files.hpp>
 
 #include <fmt/format.h>
 #include <memory>
@@ -16,16 +19,22 @@ struct TrainCommand {
     Path output;
     std::string scene;
     Path keep_k;
+    std::vector<std::string> features; ///< empty: those of keep_k, else the paper's
     TrainingOptions training;
     bool relative_count = false;
     bool quiet = false;
 };
 
 std::vector<LabelledState> read_states(const TrainCommand& command) {
+    FeaturePair features;
+    if (!command.features.empty())
+        features = feature_pair(command.features);
+    else if (command.training.keep_k)
+        features = command.training.keep_k->features;
     std::vector<LabelledState> states;
     ProgressBar bar("reading", command.inputs.size(), command.quiet);
     for (const Path& input : command.inputs) {
-        states.push_back(read_labelled_state(input, command.scene));
+        states.push_back(read_labelled_state(input, command.scene, features));
         if (command.relative_count)
             make_relative(states.back());
         bar.show(states.size());
@@ -48,8 +57,8 @@ void run_train(TrainCommand& command) {
     }
     if (command.quiet)
         return;
-    fmt::print("{}: y <= {:.4f} x + {:.4f} ({}, label threshold {})\n", command.output.string(),
-               model.line.k, model.line.d, model.objective, model.label_threshold);
+    fmt::print("{}: {} ({}, label threshold {})\n", command.output.string(),
+               line_text(model.line, model.features, 8), model.objective, model.label_threshold);
     for (const SceneErrors& scene : count_errors(states, model.line, model.label_threshold))
         fmt::print("  {}: {} particles, {} surface, {} false negatives, {} false positives "
                    "({:.2f} %)\n",
@@ -57,6 +66,22 @@ void run_train(TrainCommand& command) {
                    scene.false_positives,
                    100.0 * static_cast<double>(scene.false_positives) /
                        static_cast<double>(scene.particles));
+}
+
+std::vector<std::string> objective_names() {
+    std::vector<std::string> names;
+    for (const Objective& objective : objectives())
+        names.emplace_back(objective.name);
+    return names;
+}
+
+/// "name: meaning; ..."
+std::string objective_meanings() {
+    std::string text;
+    for (const Objective& objective : objectives())
+        text +=
+            fmt::format("{}{}: {}", text.empty() ? "" : "; ", objective.name, objective.meaning);
+    return text;
 }
 
 } // namespace
@@ -68,15 +93,16 @@ void add_train(CLI::App& command) {
         ->required();
     verb->add_option("-o,--output", options->output, "Model file (JSON)")->required();
     auto* objective =
-        verb->add_option("--objective", options->training.objective,
-                         "neyman-pearson: fewest false positives without a false negative, exact; "
-                         "logistic: the paper's linear separator, shifted; network: the line along "
-                         "a small network's boundary, shifted")
-            ->check(CLI::IsMember(training_objectives()))
+        verb->add_option("--objective", options->training.objective, objective_meanings())
+            ->check(CLI::IsMember(objective_names()))
             ->capture_default_str();
     verb->add_option("--label-threshold", options->training.label_threshold,
                      "Surface means an uncovered fraction above this")
         ->capture_default_str();
+    verb->add_option("--features", options->features,
+                     fmt::format("The two features x and y of the line, of {} (default: {})",
+                                 feature_names(), names_of({})))
+        ->delimiter(',');
     verb->add_option("--keep-k", options->keep_k,
                      "Keep this model's slope k, shift only d to these snapshots")
         ->excludes(objective);

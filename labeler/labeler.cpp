@@ -1,15 +1,15 @@
 #include "labeler.hpp"
 
-#include "coverage.hpp"
-#include "exact_labels.hpp"
+#include <meniscus/labeler/exact/exact_labels.hpp>
+#include <meniscus/labeler/monte_carlo/coverage.hpp>
 
-#include <meniscus/data/boundary_rule.hpp>
-#include <meniscus/data/errors.hpp>
-#include <meniscus/data/neighbor_search.hpp>
-#include <meniscus/data/particle_arrays.hpp>
-#include <meniscus/data/text.hpp>
-#include <meniscus/runtime/scaled_features.hpp>
-#include <meniscus/version.hpp>
+#include <meniscus/data/particles/boundary_rule.hpp>
+#include <meniscus/data/particles/neighbor_search.hpp>
+#include <meniscus/data/particles/particle_arrays.hpp>
+#include <meniscus/data/text/errors.hpp>
+#include <meniscus/data/text/text.hpp>
+#include <meniscus/runtime/features/scaled_features.hpp>
+#include <meniscus/runtime/version.hpp>
 
 #include <algorithm>
 #include <atomic>
@@ -47,7 +47,8 @@ struct Work {
     bool boundary_counts = false;
     double boundary_mass = 1;
     LabelMethod method = LabelMethod::exact;
-    DirectionBlocks table; ///< empty where each particle draws its own directions
+    std::vector<std::size_t> features; ///< beside the paper's
+    DirectionBlocks table;             ///< empty where each particle draws its own directions
 };
 
 /// What each thread has of its own.
@@ -57,6 +58,17 @@ struct Workspace {
     std::unique_ptr<ExactLabels> exact = exact_labels();
     DirectionBlocks own_blocks;
     std::vector<Direction> own_directions;
+    std::vector<FeatureNeighbor<double, 2>>
+        in_the_plane; ///< that count, where features are asked for
+    std::vector<FeatureNeighbor<double, 3>> in_space;
+
+    template <int Dimension>
+    auto& counted() {
+        if constexpr (Dimension == 2)
+            return in_the_plane;
+        else
+            return in_space;
+    }
 };
 
 void sort_particles(Work& work, const Snapshot& snapshot, const LabelOptions& options) {
@@ -67,8 +79,7 @@ void sort_particles(Work& work, const Snapshot& snapshot, const LabelOptions& op
     if (snapshot.boundary.empty())
         return;
     check_boundary(snapshot);
-    work.boundary.emplace(snapshot.boundary, work.radii.smallest, NeighborFilter{},
-                          options.threads);
+    work.boundary.emplace(snapshot.boundary, work.radii.min, NeighborFilter{}, options.threads);
     work.boundary_counts = options.boundary_counts;
     work.boundary_mass = mean_mass(work.masses, work.valid);
 }
@@ -82,7 +93,8 @@ Work prepare_work(const Snapshot& snapshot, const SupportRadii& radii,
     work.seed = options.seed;
     work.dimension = snapshot.dimension;
     work.method = options.method;
-    work.range = neighbor_range<double>(radii.vary() ? 1 : radii.largest, options.radius_ratio);
+    work.features = options.features;
+    work.range = neighbor_range<double>(radii.vary() ? 1 : radii.max, options.radius_ratio);
     work.radius_ratio = options.radius_ratio;
     work.valid = checked_positions(snapshot, radii, options.skip_invalid);
     work.masses = checked_masses(snapshot, work.valid);
@@ -108,19 +120,42 @@ Direction in_radii(const Direction& displacement, double inverse_radius) {
             displacement[2] * inverse_radius};
 }
 
+/// Sets the features of particle i that are asked for, from the neighbors that count.
+template <int Dimension>
+void set_features(const Work& work, std::size_t i, Workspace& workspace, Labels& labels) {
+    const auto& counted = workspace.counted<Dimension>();
+    for (std::size_t f = 0; f < work.features.size(); ++f)
+        labels.features[f][i] =
+            feature_value<double, Dimension>(work.features[f], counted.data(), counted.size());
+}
+
+/// Adds a neighbor to those that count, where features are asked for.
+template <int Dimension, class Radii>
+void count_for_features(const Work& work, const Direction& displacement, double mass, std::size_t i,
+                        std::size_t j, const Radii& radii, Workspace& workspace) {
+    if (!work.features.empty())
+        visit_if_in_range<Dimension>(
+            displacement, mass, i, j, radii, work.range,
+            [&](const auto& neighbor) { workspace.counted<Dimension>().push_back(neighbor); });
+}
+
 /// Gathers what covers particle i, which stands at a place of the grid, and its features.
+template <int Dimension>
 void gather_neighbors(const Work& work, std::size_t place, std::size_t i, const Direction& center,
                       Workspace& workspace, Labels& labels) {
     std::vector<Direction>& coverers = workspace.caps.displacements;
     FoundNeighbors& found = workspace.found;
-    const double support_radius = work.radii.largest;
+    const double support_radius = work.radii.max;
+    const UniformRadius<double> radii{support_radius};
     const double scale = 1 / support_radius;
     FeatureSum<double, 3> sum;
     work.grid->find(place, found);
     for (std::size_t n = 0; n < found.size(); ++n) {
         const Direction& displacement = found.displacements[n];
         const double distance_squared = squared_length<double, 3>(displacement);
-        sum.add(displacement, distance_squared, mass_of(work, found.particles[n]), work.range);
+        const double mass = mass_of(work, found.particles[n]);
+        sum.add(displacement, distance_squared, mass, work.range);
+        count_for_features<Dimension>(work, displacement, mass, i, i, radii, workspace);
         if (work.range.contains(distance_squared))
             coverers.push_back(in_radii(displacement, scale));
     }
@@ -128,14 +163,18 @@ void gather_neighbors(const Work& work, std::size_t place, std::size_t i, const 
         work.boundary->find_around(center, support_radius, found);
         for (const Direction& displacement : found.displacements) {
             const double distance_squared = squared_length<double, 3>(displacement);
-            if (work.boundary_counts)
+            if (work.boundary_counts) {
                 sum.add(displacement, distance_squared, work.boundary_mass, work.range);
+                count_for_features<Dimension>(work, displacement, work.boundary_mass, i, i, radii,
+                                              workspace);
+            }
             if (work.range.contains(distance_squared))
                 coverers.push_back(in_radii(displacement, scale));
         }
     }
     labels.mass_offset[i] = mass_offset(sum, support_radius);
     labels.neighbor_count[i] = sum.count;
+    set_features<Dimension>(work, i, workspace, labels);
 }
 
 /// The same where radii vary.
@@ -154,18 +193,24 @@ void gather_scaled(const Work& work, std::size_t place, std::size_t i, const Dir
     for (std::size_t n = 0; n < found.size(); ++n) {
         const std::size_t j = found.particles[n];
         add_scaled(found.displacements[n], mass_of(work, j), i, j, radii, work.range, sum);
+        count_for_features<Dimension>(work, found.displacements[n], mass_of(work, j), i, j, radii,
+                                      workspace);
         cover(found.displacements[n], j);
     }
     if (work.boundary) {
         work.boundary->find_around(center, work.radii.of(i), found);
         for (const Direction& displacement : found.displacements) {
-            if (work.boundary_counts)
+            if (work.boundary_counts) {
                 add_scaled(displacement, mass_of(work, i), i, i, radii, work.range, sum);
+                count_for_features<Dimension>(work, displacement, mass_of(work, i), i, i, radii,
+                                              workspace);
+            }
             cover(displacement, i);
         }
     }
     labels.mass_offset[i] = mass_offset(sum, 1.0);
     labels.neighbor_count[i] = sum.count;
+    set_features<Dimension>(work, i, workspace, labels);
 }
 
 double exact_fraction(const Work& work, Workspace& workspace) {
@@ -192,9 +237,11 @@ void label_particle(const Work& work, const Snapshot& snapshot, std::size_t plac
     const std::size_t i = work.grid->particle(place);
     workspace.caps.radius_ratio = work.radius_ratio;
     workspace.caps.displacements.clear();
-    const auto gather = !work.radii.vary()    ? gather_neighbors
-                        : work.dimension == 2 ? gather_scaled<2>
-                                              : gather_scaled<3>;
+    workspace.in_the_plane.clear();
+    workspace.in_space.clear();
+    const bool plane = work.dimension == 2;
+    const auto gather = work.radii.vary() ? (plane ? gather_scaled<2> : gather_scaled<3>)
+                                          : (plane ? gather_neighbors<2> : gather_neighbors<3>);
     gather(work, place, i, snapshot.positions[i], workspace, labels);
     labels.uncovered_fraction[i] = work.method == LabelMethod::exact
                                        ? exact_fraction(work, workspace)
@@ -239,6 +286,21 @@ std::string provenance_number(double value) {
     return rounded_text(value, 17);
 }
 
+/// Not one of the paper's, which are always stored.
+bool is_other_feature(std::size_t feature) {
+    return feature < feature_count && feature != FeaturePair{}.first &&
+           feature != FeaturePair{}.second;
+}
+
+void remove_other_features(Snapshot& snapshot) {
+    auto& arrays = snapshot.point_data;
+    arrays.erase(std::remove_if(arrays.begin(), arrays.end(),
+                                [](const PointArray& array) {
+                                    return is_other_feature(find_feature(array.name));
+                                }),
+                 arrays.end());
+}
+
 } // namespace
 
 Labels label_particles(const Snapshot& snapshot, const SupportRadii& radii,
@@ -253,6 +315,7 @@ Labels label_particles(const Snapshot& snapshot, const SupportRadii& radii,
         labels.warnings.push_back(std::move(doubt));
     labels.mass_offset.assign(count, 0);
     labels.neighbor_count.assign(count, 0);
+    labels.features.assign(work.features.size(), std::vector<double>(count, 0));
     // In the grid's order, where the neighbors of one particle are those of the next.
     for_all_particles(work.grid->size(), options,
                       [&](std::size_t begin, std::size_t end, Workspace& workspace) {
@@ -266,7 +329,7 @@ void set_label_provenance(Snapshot& snapshot, const SupportRadii& radii,
                           const LabelOptions& options) {
     auto& provenance = snapshot.provenance;
     provenance["program"] = std::string("meniscus ") + program_version;
-    for (const char* name : {"samples", "scheme", "seed", "boundary_particles"})
+    for (const char* name : {"samples", "scheme", "seed", "boundary_particles", "features"})
         provenance.erase(name);
     if (options.method == LabelMethod::exact) {
         provenance["method"] = "exact";
@@ -278,11 +341,14 @@ void set_label_provenance(Snapshot& snapshot, const SupportRadii& radii,
     }
     if (!snapshot.boundary.empty())
         provenance["boundary_particles"] = std::to_string(snapshot.boundary.size());
+    for (const std::size_t feature : options.features)
+        provenance["features"] +=
+            (provenance["features"].empty() ? "" : ",") + std::string(feature_list[feature].name);
     provenance["boundary_rule"] = boundary_rule_text(options.boundary_counts);
     provenance["radius_ratio"] = provenance_number(options.radius_ratio);
-    provenance["support_radius"] = provenance_number(radii.smallest);
+    provenance["support_radius"] = provenance_number(radii.min);
     if (radii.vary())
-        provenance["support_radius"] += " to " + provenance_number(radii.largest);
+        provenance["support_radius"] += " to " + provenance_number(radii.max);
     provenance["neighbor_band"] = provenance_number(neighbor_band);
     provenance["label_bound"] = provenance_number(zero_uncovered_fraction);
     provenance["skip_invalid"] = options.skip_invalid ? "yes" : "no";
@@ -293,11 +359,12 @@ void add_labels(Snapshot& snapshot, const Labels& labels, const SupportRadii& ra
     if (radii.vary())
         snapshot.support_radius.reset();
     else
-        snapshot.support_radius = radii.largest;
+        snapshot.support_radius = radii.max;
     // As it is stored already, perhaps in float, it stays.
     if (radii.vary() && (find_array(snapshot, "support_radius") == nullptr ||
                          scalar_values(snapshot, "support_radius") != radii.each))
         set_array(snapshot, {"support_radius", 1, radii.each});
+    remove_other_features(snapshot);
     set_array(snapshot, {"uncovered_fraction", 1, labels.uncovered_fraction});
     set_array(snapshot, {"surface", 1, labels.surface});
     set_array(snapshot, {"valid", 1, labels.valid});
@@ -308,6 +375,9 @@ void add_labels(Snapshot& snapshot, const Labels& labels, const SupportRadii& ra
         set_array(snapshot, {"neighbor_count", 1,
                              std::vector<std::uint32_t>(labels.neighbor_count.begin(),
                                                         labels.neighbor_count.end())});
+    for (std::size_t f = 0; f < labels.features.size(); ++f)
+        if (is_other_feature(options.features[f]))
+            set_array(snapshot, {feature_list[options.features[f]].name, 1, labels.features[f]});
     set_label_provenance(snapshot, radii, options);
 }
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # From a fresh clone to speed against error on this machine: installs what is missing, builds, and
-# runs `meniscus bench`, whose options this takes, with all that it compares compiled for this
-# machine. Wants an otherwise idle one.
+# runs `meniscus bench`, whose options this takes. Builds in a folder of its own, because all that it
+# compares is compiled for this machine. Wants an otherwise idle one.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/setup.sh bench

@@ -32,7 +32,7 @@ light=(--set volume_share=0.8)
 iisph=(--set pressure.solver=iisph --set pressure.divergence_error=null)
 pcisph=(--set pressure.solver=pcisph --set pressure.divergence_error=null)
 wcsph=(--set 'pressure={"solver": "wcsph", "sound_speed": 60, "density_error": null,
-    "divergence_error": null}' --set time_step.largest=0.001)
+    "divergence_error": null}' --set time_step.max=0.001)
 fine_2d=(--set particle_spacing=0.02
     --set 'walls=[{"box": {"low": [-0.01, -0.01], "high": [4.01, 4.01]}}]')
 

@@ -1,7 +1,8 @@
 #!/usr/bin/python3
-"""Draws the plot of docs/normals.md from what `normal_accuracy time` measured.
+"""Draws the plot of docs/normals.md from what `meniscus_bench` measured.
 
-Usage: plot_normals.py TIMES.json FOLDER
+Usage: plot_normals.py SCHEMES.json TIMES.json FOLDER
+(`meniscus_bench normals-schemes --json SCHEMES.json`, `meniscus_bench normals-time --json TIMES.json`)
 Needs Debian's python3-matplotlib, hence the system's Python. The same numbers give the same bytes.
 """
 import json
@@ -43,11 +44,26 @@ def draw_panel(axes, rows):
         axis.set_minor_locator(matplotlib.ticker.NullLocator())
 
 
+def read_table(file):
+    """Rows of the first table by their first cell."""
+    table = json.loads(pathlib.Path(file).read_text())["tables"][0]
+    return {row["directions"]: row for row in table["rows"]}
+
+
+def rows_of(degrees, times):
+    smoothing = times["a smoothing pass"]["30"]
+    return [{"scheme": scheme, "passes": passes, "degrees": row[samples][passes],
+             "nanoseconds": times[scheme][samples] + passes * smoothing}
+            for scheme, row in degrees.items()
+            for samples in sorted(set(row) - {"directions"}, key=int) if row[samples] != ""
+            for passes in TITLES]
+
+
 def main():
-    if len(sys.argv) != 3:
-        sys.exit("usage: plot_normals.py TIMES.json FOLDER")
-    rows = json.loads(pathlib.Path(sys.argv[1]).read_text())
-    folder = pathlib.Path(sys.argv[2])
+    if len(sys.argv) != 4:
+        sys.exit("usage: plot_normals.py SCHEMES.json TIMES.json FOLDER")
+    rows = rows_of(read_table(sys.argv[1]), read_table(sys.argv[2]))
+    folder = pathlib.Path(sys.argv[3])
     folder.mkdir(parents=True, exist_ok=True)
     figure, panels = plt.subplots(1, 2, figsize=(10, 5))
     for axes, passes in zip(panels, TITLES):

@@ -1,7 +1,8 @@
 #!/usr/bin/python3
-"""Draws the plots of docs/sampling_schemes.md from what bench/sampling_schemes.cpp measured.
+"""Draws the plots of docs/sampling_schemes.md from what `meniscus_bench` measured.
 
 Usage: plot_sampling_schemes.py STUDY.json FOLDER
+(`meniscus_bench sampling-schemes SNAPSHOT... --json STUDY.json`)
 Needs Debian's python3-matplotlib, hence the system's Python. The same numbers give the same bytes.
 """
 import json
@@ -55,7 +56,17 @@ def draw_slopes(axes, dimension, rows, quantity):
                       xytext=(16, 0), textcoords="offset points", va="center")
 
 
-def draw(rows, quantity, labels, file):
+def rows_of(tables, quantity):
+    """One for each scheme and number of samples, of both dimensions."""
+    return [{"scheme": row["scheme"], "dimension": dimension, "samples": int(samples),
+             quantity: row[samples]}
+            for dimension in (2, 3)
+            for row in tables[f"{quantity}_{dimension}d"]["rows"]
+            for samples in sorted((key for key in row if key.isdigit()), key=int)]
+
+
+def draw(tables, quantity, labels, file):
+    rows = rows_of(tables, quantity)
     figure, panels = plt.subplots(1, 2, figsize=(10, 5.4))
     entries = {}
     for axes, dimension in zip(panels, (2, 3)):
@@ -77,12 +88,13 @@ def draw(rows, quantity, labels, file):
 def main():
     if len(sys.argv) != 3:
         sys.exit("usage: plot_sampling_schemes.py STUDY.json FOLDER")
-    rows = json.loads(pathlib.Path(sys.argv[1]).read_text())
+    tables = {table["name"]: table
+              for table in json.loads(pathlib.Path(sys.argv[1]).read_text())["tables"]}
     folder = pathlib.Path(sys.argv[2])
     folder.mkdir(parents=True, exist_ok=True)
     error = "error of lambda, root mean square"
-    draw(rows, "error", {2: error, 3: error}, folder / "sampling_error.svg")
-    draw(rows, "discrepancy", {2: "star discrepancy", 3: "spherical cap discrepancy, largest"},
+    draw(tables, "error", {2: error, 3: error}, folder / "sampling_error.svg")
+    draw(tables, "discrepancy", {2: "star discrepancy", 3: "spherical cap discrepancy, largest"},
          folder / "sampling_discrepancy.svg")
 
 

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # From a fresh clone to passed tests: installs what is missing, builds, and runs the default tests.
+# Goes on from what scripts/demo.sh has built.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/setup.sh
-cmake --preset release
+cmake --preset release -DMENISCUS_TESTS=ON -DMENISCUS_BENCHMARKS=ON
 cmake --build --preset release
 ctest --preset release --parallel "$(nproc)"

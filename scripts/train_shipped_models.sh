@@ -21,20 +21,20 @@ fit() {
     done
     "$meniscus" train "${files[@]}" -o "configs/models/$2.json" "${@:3}"
 }
-# ship STATES MODEL HEADER STRUCT [OPTIONS OF TRAIN]: the same with its header
+# ship STATES MODEL STRUCT [OPTIONS OF TRAIN]: the same with its header
 ship() {
-    fit "$1" "$2" "${@:5}"
-    "$meniscus" export "configs/models/$2.json" -o "runtime/$3.hpp" --name "$4" --quiet
+    fit "$1" "$2" "${@:4}"
+    "$meniscus" export "configs/models/$2.json" -o "runtime/coefficients/$2.hpp" --name "$3" --quiet
 }
-ship "samples training_3d" surface_3d surface_coefficients SurfaceCoefficients --label-threshold 0.02
-ship "samples training_3d" surface_3d_strict strict_surface_coefficients StrictSurfaceCoefficients \
+ship "samples training_3d" surface_3d Surface3D --label-threshold 0.02
+ship "samples training_3d" surface_3d_strict Surface3DStrict \
     --label-threshold 0
-ship samples surface_3d_relative relative_surface_coefficients RelativeSurfaceCoefficients \
+ship samples surface_3d_relative Surface3DRelative \
     --label-threshold 0.02 --relative-count
-ship wide_training_3d surface_3d_wide wide_surface_coefficients WideSurfaceCoefficients \
+ship wide_training_3d surface_3d_wide Surface3DWide \
     --label-threshold 0.02
-ship training_2d surface_2d surface_coefficients_2d SurfaceCoefficients2D --label-threshold 0
-ship wide_training_2d surface_2d_wide wide_surface_coefficients_2d WideSurfaceCoefficients2D \
+ship training_2d surface_2d Surface2D --label-threshold 0
+ship wide_training_2d surface_2d_wide Surface2DWide \
     --label-threshold 0
 
 # The other objectives, for comparison (meniscus bench); they need libtorch.
@@ -42,11 +42,11 @@ for objective in logistic network; do
     fit "samples training_3d" "surface_3d_$objective" --label-threshold 0.02 --objective $objective
 done
 
-# ship_curvature CONFIG MODEL HEADER: maps of curvature, from clouds; needs libtorch.
+# ship_curvature CONFIG MODEL STRUCT: maps of curvature, from clouds; needs libtorch.
 ship_curvature() {
     "$meniscus" calibrate "configs/curvature/$1.json" -o "configs/models/$2.json"
-    "$meniscus" export "configs/models/$2.json" -o "runtime/$3.hpp" --quiet
+    "$meniscus" export "configs/models/$2.json" -o "runtime/coefficients/$2.hpp" --name "$3" --quiet
 }
-ship_curvature solver_like_3d curvature_3d curvature_coefficients
-ship_curvature solver_like_2d curvature_2d curvature_coefficients_2d
+ship_curvature solver_like_3d curvature_3d Curvature3D
+ship_curvature solver_like_2d curvature_2d Curvature2D
 "$meniscus" calibrate configs/curvature/dense_3d.json -o configs/models/curvature_dense_3d.json

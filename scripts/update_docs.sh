@@ -28,92 +28,81 @@ wanted() {
     [ "$what" = all ] || [ "$what" = "$1" ]
 }
 
-if wanted accuracy || wanted speed; then
-    "$bin/meniscus" label data/samples/*.vtkhdf -o "$work/labelled" --quiet
+# print TABLE PAGE [NAME] [FILES...]: what meniscus_bench prints, between the comments of that name.
+print() {
+    "$bin/meniscus_bench" "$1" "${@:4}" | replace "docs/$2.md" "${3:-$1}"
+}
+
+samples=data/samples
+if wanted accuracy || wanted own-scenes || wanted speed; then
+    "$bin/meniscus" label $samples/*.vtkhdf -o "$work/samples" --quiet
 fi
 if wanted accuracy; then
     for table in training unseen published sweep own-line; do
-        "$bin/accuracy_tables" "$table" "$work"/labelled/*.vtkhdf | replace docs/accuracy.md "$table"
+        print $table accuracy "" "$work"/samples/*.vtkhdf
     done
 fi
 if wanted own-scenes; then
-    "$bin/meniscus" label data/samples/*.vtkhdf -o "$work/samples" --quiet
     for kind in training_3d audit_{3d,2d,wide_3d,wide_2d}; do
         scripts/make_states.sh "$kind" "$work/$kind"
     done
-    "$bin/accuracy_tables" sources "$work"/samples/*.vtkhdf -- "$work"/training_3d/*.vtkhdf -- \
-        "$work"/audit_3d/*.vtkhdf | replace docs/accuracy.md sources
-    "$bin/accuracy_tables" readme "$work"/samples/*.vtkhdf -- "$work"/training_3d/*.vtkhdf |
-        replace README.md readme
+    print sources accuracy "" "$work"/{samples,training_3d,audit_3d}
+    "$bin/meniscus_bench" readme "$work"/{samples,training_3d} | replace README.md readme
     models=configs/models/surface
-    "$bin/accuracy_tables" lines "$models"_3d.json "$models"_3d_strict.json \
-        "$models"_3d_relative.json -- "$work"/audit_3d/*.vtkhdf | replace docs/accuracy.md own-3d
-    "$bin/accuracy_tables" lines "$models"_3d.json "$models"_3d_wide.json -- \
-        "$work"/audit_wide_3d/*.vtkhdf | replace docs/accuracy.md own-wide-3d
-    "$bin/accuracy_tables" lines "$models"_3d.json "$models"_2d.json -- \
-        "$work"/audit_2d/*.vtkhdf | replace docs/accuracy.md own-2d
-    "$bin/accuracy_tables" lines "$models"_2d.json "$models"_2d_wide.json -- \
-        "$work"/audit_wide_2d/*.vtkhdf | replace docs/accuracy.md own-wide-2d
+    print lines accuracy own-3d ${models}_3d{,_strict,_relative}.json "$work"/audit_3d/*.vtkhdf
+    print lines accuracy own-wide-3d ${models}_3d{,_wide}.json "$work"/audit_wide_3d/*.vtkhdf
+    print lines accuracy own-2d ${models}_{3d,2d}.json "$work"/audit_2d/*.vtkhdf
+    print lines accuracy own-wide-2d ${models}_2d{,_wide}.json "$work"/audit_wide_2d/*.vtkhdf
 fi
 if wanted speed; then
-    "$bin/speed" data/samples/dam_dfsph_14.vtkhdf 2>/dev/null | replace docs/speed.md speed
-    "$bin/label_speed" data/samples/{dam_dfsph_14,crown_dfsph_15,droplet_iisph_14}.vtkhdf 2>/dev/null |
-        replace docs/speed.md label-speed
-    "$bin/label_scaling" data/samples/dam_dfsph_14.vtkhdf | replace docs/speed.md label-scaling
-    "$bin/training_time" "$work"/labelled/*.vtkhdf | replace docs/speed.md training-time
+    print speed speed "" $samples/dam_dfsph_14.vtkhdf
+    print label-speed speed "" $samples/{dam_dfsph_14,crown_dfsph_15,droplet_iisph_14}.vtkhdf
+    print label-scaling speed "" $samples/dam_dfsph_14.vtkhdf --threads 1
+    print training-time speed "" "$work"/samples/*.vtkhdf
 fi
 if wanted sampling; then
-    "$bin/sampling_schemes" "$work/schemes.json" data/samples/*.vtkhdf |
-        replace docs/sampling_schemes.md sampling-schemes
+    print sampling-schemes sampling_schemes "" $samples/*.vtkhdf --json "$work/schemes.json"
     scripts/plot_sampling_schemes.py "$work/schemes.json" docs/plots
 fi
 if wanted force; then
-    "$bin/force_accuracy" young_laplace | replace docs/surface_tension.md young-laplace
-    "$bin/force_accuracy" fade data/samples/{droplet_iisph_14,cube_iisph_05,crown_dfsph_15,dam_dfsph_14}.vtkhdf |
-        replace docs/surface_tension.md fade
-    "$bin/force_accuracy" momentum data/samples/{droplet_iisph_14,cube_iisph_05}.vtkhdf |
-        replace docs/surface_tension.md momentum
+    print young-laplace surface_tension
+    print fade surface_tension "" \
+        $samples/{droplet_iisph_14,cube_iisph_05,crown_dfsph_15,dam_dfsph_14}.vtkhdf
+    print momentum surface_tension "" $samples/{droplet_iisph_14,cube_iisph_05}.vtkhdf
 fi
 if wanted surface-speed; then
-    for build in surface_speed surface_speed_native; do
-        "$bin/$build" data/samples/{dam_dfsph_14,crown_dfsph_15}.vtkhdf 2>/dev/null |
-            replace docs/surface_tension.md "${build//_/-}"
+    for build in "" _native; do
+        "$bin/meniscus_bench$build" surface-speed $samples/{dam_dfsph_14,crown_dfsph_15}.vtkhdf |
+            replace docs/surface_tension.md "surface-speed${build//_/-}"
     done
 fi
 if wanted normals; then
-    for table in circle schemes smoothing; do
-        "$bin/normal_accuracy" "$table" | replace docs/normals.md "$table"
-    done
-    "$bin/normal_accuracy" time "$work/normals.json" | replace docs/normals.md time
-    scripts/plot_normals.py "$work/normals.json" docs/plots
-    "$bin/normal_accuracy" ratio data/samples/droplet_iisph_14.vtkhdf |
-        replace docs/normals.md ratio
+    print normals-circle normals
+    print normals-schemes normals "" --json "$work/schemes.json"
+    print normals-smoothing normals
+    print normals-time normals "" --json "$work/times.json"
+    scripts/plot_normals.py "$work"/{schemes,times}.json docs/plots
+    print normals-ratio normals "" $samples/droplet_iisph_14.vtkhdf
 fi
 if wanted curvature; then
-    "$bin/curvature_accuracy" ablation configs/curvature/solver_like_3d.json |
-        replace docs/curvature.md curvature-ablation
-    "$bin/curvature_accuracy" filled | replace docs/curvature.md curvature-filled
-    "$bin/curvature_accuracy" circles | replace docs/curvature.md curvature-circles
-    "$bin/curvature_accuracy" ellipsoid configs/models/curvature_dense_3d.json |
-        replace docs/curvature.md curvature-ellipsoid
-    "$bin/curvature_accuracy" droplet data/samples/cube_iisph_05.vtkhdf |
-        replace docs/curvature.md curvature-droplet
+    print curvature-ablation curvature "" configs/curvature/solver_like_3d.json
+    print curvature-filled curvature
+    print curvature-circles curvature
+    print curvature-ellipsoid curvature "" configs/models/curvature_dense_3d.json
+    print curvature-droplet curvature "" $samples/cube_iisph_05.vtkhdf
 fi
 if wanted scenes; then
-    "$bin/scene_table" configs/scenes/*.json | replace docs/scenes.md scenes
+    print scenes scenes "" configs/scenes/*.json
 fi
 if wanted simulation; then
-    for table in runs dam_front iterations; do
-        "$bin/solver_runs" "$table" configs/scenes | replace docs/simulation.md "${table//_/-}"
-    done
-    for table in formation formation_paper line rivals coalescence oscillation; do
-        "$bin/droplets" "$table" configs/scenes | replace docs/simulation.md "${table//_/-}"
+    for table in solver-runs dam-front iterations formation formation-paper formation-line rivals \
+        coalescence oscillation; do
+        print $table simulation
     done
 fi
 if wanted step-speed; then
-    for table in stages scaling; do
-        "$bin/step_speed" "$table" configs/scenes | replace docs/simulation.md "$table"
-    done
+    print stages simulation
+    print scaling simulation
 fi
 if wanted speed-against-error; then
     page=docs/speed_against_error.md
@@ -143,13 +132,10 @@ fi
 if wanted hard-cases; then
     "$bin/hard_cases_table" | replace docs/hard_cases.md hard-cases
     {
-        echo "| arithmetic | particles | changed by coverage | lambda up to | changed by the line |" \
-            "from the line up to | largest error of lambda | outside |"
-        echo "|---|---|---|---|---|---|---|---|"
-        "$bin/rounding_table" "plain" data/samples
-        "$bin/rounding_table_native" "-march=native -ffp-contract=fast" data/samples
-        "$bin/rounding_table_fast_math" "-ffast-math" data/samples
-        "$bin/rounding_table_native_fast_math" "-march=native -ffast-math" data/samples
+        "$bin/rounding_table" "plain" $samples
+        "$bin/rounding_table_native" "-march=native -ffp-contract=fast" $samples | tail -n +3
+        "$bin/rounding_table_fast_math" "-ffast-math" $samples | tail -n +3
+        "$bin/rounding_table_native_fast_math" "-march=native -ffast-math" $samples | tail -n +3
     } | replace docs/hard_cases.md rounding
 fi
 if wanted hard-cases-solvers; then

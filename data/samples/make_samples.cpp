@@ -1,8 +1,8 @@
 // Makes the shipped samples from SPlisHSPlasH's legacy VTK files: positions only, with support
 // radius, particle spacing, time and scene from the scenes.json beside them. Usage:
 //   make_samples FOLDER_WITH_SCENES_JSON OUTPUT_FOLDER STATE...
-#include <meniscus/data/legacy_vtk.hpp>
-#include <meniscus/data/vtkhdf.hpp>
+#include <meniscus/data/formats/snapshot_formats.hpp>
+#include <meniscus/data/formats/vtkhdf.hpp>
 
 #include <cstdio>
 #include <exception>
@@ -18,7 +18,8 @@ int main(int argument_count, char** arguments) {
         for (int a = 3; a < argument_count; ++a) {
             const std::string state = arguments[a];
             const auto& entry = scenes.at(state + ".vtk");
-            meniscus::Snapshot snapshot = meniscus::read_legacy_vtk(folder / (state + ".vtk"));
+            meniscus::Snapshot snapshot =
+                meniscus::legacy_vtk_format().read(folder / (state + ".vtk"));
             snapshot.point_data.clear();
             snapshot.support_radius = entry.at("support_radius").get<double>();
             snapshot.particle_spacing = 2 * entry.at("particle_radius").get<double>();

@@ -1,6 +1,6 @@
 #include "command.hpp"
 
-#include <meniscus/classifier/model.hpp>
+#include <meniscus/classifier/model/model.hpp>
 
 #include <nlohmann/json.hpp>
 

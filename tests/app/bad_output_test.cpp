@@ -2,7 +2,7 @@
 // way nothing half-written stays.
 #include "command.hpp"
 
-#include <meniscus/classifier/model.hpp>
+#include <meniscus/classifier/model/model.hpp>
 
 #include <unistd.h>
 

@@ -50,7 +50,7 @@ TEST_F(Bench, DetectorsAndFeatures) {
     EXPECT_EQ(row_of(detectors, "best", "yes")["best"], "yes");
     EXPECT_GT(row_of(detectors, "group", "visibility")["time"]["median"].get<double>(), 0);
     for (const char* file :
-         {"detectors_3d.md", "detectors_3d_missed.svg", "detectors_3d_let_through.svg",
+         {"detectors_3d.md", "detectors_3d_missed.svg", "detectors_3d_false_positives.svg",
           "features_3d.md", "features_3d.svg", "features_3d_2_percent.md"})
         EXPECT_TRUE(exists(file)) << file;
     const std::string text = bytes_of(folder / "out" / "detectors_3d.md");

@@ -1,7 +1,7 @@
 #include "command.hpp"
 
-#include <meniscus/classifier/model.hpp>
-#include <meniscus/data/snapshot_files.hpp>
+#include <meniscus/classifier/model/model.hpp>
+#include <meniscus/data/formats/snapshot_files.hpp>
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 #include "command.hpp"
 
-#include <meniscus/classifier/curvature_model.hpp>
-#include <meniscus/classifier/header_export.hpp>
+#include <meniscus/classifier/curvature/curvature_model.hpp>
+#include <meniscus/classifier/export/header_export.hpp>
 
 namespace meniscus {
 namespace {
@@ -10,7 +10,7 @@ namespace {
 constexpr const char* tiny = R"({
   "format": "meniscus calibration", "format_version": 1, "dimension": 2,
   "radius_ratio": 0.8, "fade": 0.03, "tau": 0.5, "normal_passes": 1, "averaged": true,
-  "terms": ["constant", "turning", "square"], "bias_penalty": 100, "least_curvature": 0.1,
+  "terms": ["constant", "turning", "square"], "bias_penalty": 100, "min_curvature": 0.1,
   "samples": [0], "seed": 5,
   "clouds": {"kind": "filled", "spacing_ratios": [2.2], "particles": 100,
              "arrangements": [{"kind": "relaxed", "jitter": 0.1}]},

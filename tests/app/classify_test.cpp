@@ -1,16 +1,21 @@
 #include "command.hpp"
+#include "runtime/option_values.hpp"
 
-#include <meniscus/classifier/model.hpp>
-#include <meniscus/data/snapshot_files.hpp>
+#include <meniscus/bindings/step/surface_step.hpp>
+#include <meniscus/classifier/model/model.hpp>
+#include <meniscus/data/particles/neighbor_search.hpp>
+#include <meniscus/data/text/files.hpp>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <limits>
 #include <map>
 #include <numeric>
 #include <set>
+#include <sstream>
 
 namespace meniscus {
 namespace {
@@ -169,7 +174,7 @@ TEST_F(Classify, SurfaceIsThatOfTheLabels) {
     const auto surface = scalar_values(labelled, "surface");
     const auto lambda = scalar_values(labelled, "uncovered_fraction");
     const Snapshot sampled = classified(input);
-    const Snapshot exact = classified(input, {"--exact"});
+    const Snapshot exact = classified(input, {"--coverage", "exact"});
     const auto line = scalar_values(sampled, "predicted_surface");
     const auto class_of = scalar_values(sampled, "surface_class");
     const auto exact_lambda = scalar_values(exact, "runtime_uncovered_fraction");
@@ -230,16 +235,16 @@ TEST_F(Classify, OptionsOfTheRuntime) {
         {"runtime_coverage", "sampled"},
         {"runtime_samples", "128"},
         {"runtime_seed", "0"},
-        {"runtime_candidates_without_open_sample", "decided exactly"},
+        {"runtime_verification", "exact"},
         {"runtime_fade", "0.3333333333333333"},
         {"runtime_normal_passes", "1"},
         {"runtime_tau", "0.5"},
-        {"runtime_pca_share", "0"},
+        {"runtime_covariance_share", "0"},
         {"runtime_curvature", "mapped"},
         {"runtime_curvature_passes", "0"},
         {"runtime_force", "calibrated"},
         {"runtime_surface_tension", "0.072"},
-        {"runtime_momentum", "as it is"},
+        {"runtime_balance_momentum", "false"},
     };
     for (const auto& [name, text] : expected)
         EXPECT_EQ(usual.provenance.at(name), text) << name;
@@ -249,22 +254,23 @@ TEST_F(Classify, OptionsOfTheRuntime) {
     };
     const std::vector<Case> cases = {
         {{"--samples", "32"}, "samples", "32"},
-        {{"--exact"}, "coverage", "exact"},
+        {{"--coverage", "exact"}, "coverage", "exact"},
         {{"--time-step", "0.002", "--sampling-density", "100000"}, "samples", "200"},
         {{"--time-step", "1e-9", "--sampling-density", "100000"}, "samples", "16"},
         {{"--time-step", "1e-9", "--sampling-density", "1e5", "--samples", "40"}, "samples", "40"},
-        {{"--drop-covered", "--samples", "16"}, "candidates_without_open_sample", "covered"},
+        {{"--verification", "drop", "--samples", "16"}, "verification", "drop"},
         {{"--fade", "0.5"}, "fade", "0.5"},
-        {{"--no-fade"}, "fade", "0"},
+        {{"--fade", "0"}, "fade", "0"},
+        {{"--seed", "18446744073709551615"}, "seed", "18446744073709551615"},
         {{"--normal-passes", "3"}, "normal_passes", "3"},
         {{"--tau", "0.25"}, "tau", "0.25"},
-        {{"--pca-share", "0.5"}, "pca_share", "0.5"},
+        {{"--covariance-share", "0.5"}, "covariance_share", "0.5"},
         {{"--curvature", "closed"}, "curvature", "closed"},
         {{"--curvature-passes", "2"}, "curvature_passes", "2"},
         {{"--force", "paper"}, "force", "paper"},
         {{"--surface-tension", "1"}, "surface_tension", "1"},
         {{"--particle-spacing", "0.03"}, "spacing_ratio", "4"},
-        {{"--balance-momentum"}, "momentum", "balanced"},
+        {{"--balance-momentum"}, "balance_momentum", "true"},
     };
     for (const auto& [options, name, text] : cases) {
         const Snapshot other = classified(input, options);
@@ -273,10 +279,84 @@ TEST_F(Classify, OptionsOfTheRuntime) {
     }
 }
 
+/// What the runtime finds of a snapshot that was classified, its line's candidates given.
+std::vector<std::array<double, 3>> forces_of(const Snapshot& snapshot,
+                                             const SurfaceTensionOptions& options) {
+    const NeighborLists lists = find_neighbors(snapshot.positions, *snapshot.support_radius);
+    const auto predicted = scalar_values(snapshot, "predicted_surface");
+    const std::vector<std::uint8_t> candidates(predicted.begin(), predicted.end());
+    StepParticles particles;
+    particles.count = snapshot.size();
+    particles.positions = snapshot.positions.data();
+    particles.support_radius = *snapshot.support_radius;
+    particles.offsets = lists.offsets.data();
+    particles.neighbors = lists.neighbors.data();
+    particles.candidates = candidates.data();
+    const auto step = surface_step(options, StepSetup{});
+    step->step(particles);
+    const StepResults found = step->results();
+    std::vector<std::array<double, 3>> forces(found.count);
+    for (std::size_t slot = 0; slot < found.slots; ++slot)
+        std::copy_n(static_cast<const double*>(found.force) + 3 * slot, 3,
+                    forces[found.particle[slot]].begin());
+    return forces;
+}
+
+/// Those of the table that neither the model nor the input gives.
+template <class Visit>
+void for_each_option_of_command(const Visit& visit) {
+    const std::set<std::string> given = {"k", "d", "radius_ratio", "spacing_ratio"};
+    for_each_surface_option([&](const auto& option) {
+        std::string flag = std::string("--") + option.name;
+        std::replace(flag.begin(), flag.end(), '_', '-');
+        if (given.count(option.name) == 0)
+            visit(option, flag);
+    });
+}
+
+template <class Value>
+std::string text_of(const SurfaceOption<Value>& option, Value value) {
+    if constexpr (std::is_enum_v<Value>) {
+        const auto number = static_cast<int>(value);
+        return number == 0 || number == 1 ? option.range.words[number] : std::to_string(number);
+    } else {
+        std::ostringstream text;
+        text << std::setprecision(17) << value;
+        return text.str();
+    }
+}
+
+/// Set here or in a program, an option gives the same bits, and provenance has its name and value.
+TEST_F(Classify, EachOptionIsThatOfTheRuntime) {
+    const Path input = sample("droplet_iisph_14");
+    int options = 0;
+    for_each_option_of_command([&](const auto& option, const std::string& flag) {
+        SurfaceTensionOptions changed;
+        set_other(option, changed);
+        const std::string text = text_of(option, changed.*option.member);
+        const Snapshot snapshot = classified(input, {flag, text});
+        changed.spacing_ratio = std::stod(snapshot.provenance.at("runtime_spacing_ratio"));
+        EXPECT_TRUE(vectors(snapshot, "runtime_force") == forces_of(snapshot, changed)) << flag;
+        const std::string noted = snapshot.provenance.at(std::string("runtime_") + option.name);
+        EXPECT_TRUE(text == noted || std::stod(text) == std::stod(noted)) << flag << noted;
+        ++options;
+    });
+    EXPECT_EQ(options, 12);
+}
+
+TEST_F(Classify, NamesTheRangeOfEachOption) {
+    const Words words = {"classify", sample("droplet_iisph_04"), "--model", model, "-o", out};
+    for_each_option_of_command([&](const auto& option, const std::string& flag) {
+        for (const auto value : values_out_of_range(option))
+            fail(2, words + Words{flag, text_of(option, value)}, {flag.c_str(), option.range.text});
+    });
+}
+
 TEST_F(Classify, PaperIsWhatItsOptionsSay) {
     const Path input = sample("droplet_iisph_14");
-    const Words spelled = {"--drop-covered", "--no-fade", "--curvature",        "closed",
-                           "--force",        "paper",     "--curvature-passes", "1"};
+    const Words spelled = {"--verification",     "drop",   "--fade",  "0",
+                           "--curvature",        "closed", "--force", "paper",
+                           "--curvature-passes", "1"};
     const Snapshot paper = classified(input, {"--paper"});
     const std::string bytes = bytes_of(out / input.filename());
     EXPECT_FALSE(same_surface(paper, classified(input)));
@@ -289,14 +369,14 @@ TEST_F(Classify, PaperIsWhatItsOptionsSay) {
 TEST_F(Classify, SaysWhatWasFound) {
     const Path input = sample("dam_dfsph_08");
     const Words words = {"classify", input, "--model", model, "-o", out};
-    const auto counted = [&](const std::string& printed, double least) {
+    const auto counted = [&](const std::string& printed, double min) {
         const auto classes = scalar_values(read_vtkhdf(out / input.filename()), "surface_class");
         const auto count = std::count_if(classes.begin(), classes.end(),
-                                         [&](double value) { return value >= least; });
+                                         [&](double value) { return value >= min; });
         EXPECT_NE(printed.find(std::to_string(count)), std::string::npos) << printed << count;
     };
     const std::string printed = succeed(words);
-    expect_mentions(printed, {"let through by the line", "of them surface", "none lost"});
+    expect_mentions(printed, {"candidates of the line", "of them surface", "none lost"});
     counted(printed, 1);
     counted(printed, 2);
     const std::string dropping = succeed(words + Words{"--paper"});
@@ -332,16 +412,19 @@ TEST_F(Classify, BadValuesNameTheirOption) {
         {"--tau", "2"},
         {"--tau", "nan"},
         {"--tau", "half"},
-        {"--pca-share", "-0.1"},
+        {"--covariance-share", "-0.1"},
         {"--normal-passes", "-1"},
         {"--curvature-passes", "1.5"},
         {"--curvature", "open"},
         {"--force", "strong"},
         {"--surface-tension", "inf"},
         {"--particle-spacing", "0"},
-        {"--exact", "--samples", "16"},
-        {"--exact", "--drop-covered"},
-        {"--fade", "0.1", "--no-fade"},
+        {"--samples", "16", "--coverage", "exact"},
+        {"--verification", "drop", "--coverage", "exact"},
+        {"--time-step", "0.1", "--sampling-density", "1e4", "--coverage", "exact"},
+        {"--coverage", "0"},
+        {"--seed", "-1"},
+        {"--k", "1"},
     };
     for (const Words& options : cases)
         fail(2, words + options, {options[0].c_str()});
@@ -350,7 +433,7 @@ TEST_F(Classify, BadValuesNameTheirOption) {
 TEST_F(Classify, RerunsWithOtherOptionsLeaveNoTrace) {
     const Path input = sample("droplet_iisph_04");
     const Words words = {"classify", input, "--model", model, "--quiet", "-o"};
-    succeed(words + Words{out, "--exact", "--balance-momentum"});
+    succeed(words + Words{out, "--coverage", "exact", "--balance-momentum"});
     succeed(words + Words{out, "--paper", "--balance-momentum"});
     succeed(words + Words{folder / "fresh", "--paper", "--balance-momentum", "--threads", "1"});
     EXPECT_TRUE(bytes_of(out / input.filename()) == bytes_of(folder / "fresh" / input.filename()));

@@ -4,8 +4,8 @@
 
 #include <data/test_folder.hpp>
 
-#include <meniscus/data/snapshot.hpp>
-#include <meniscus/data/vtkhdf.hpp>
+#include <meniscus/data/formats/vtkhdf.hpp>
+#include <meniscus/data/particles/snapshot.hpp>
 
 #include <csignal>
 #include <fcntl.h>

@@ -1,6 +1,6 @@
 #include "command.hpp"
 
-#include <meniscus/classifier/header_export.hpp>
+#include <meniscus/classifier/export/header_export.hpp>
 
 namespace meniscus {
 namespace {

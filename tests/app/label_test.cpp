@@ -1,6 +1,6 @@
 #include "command.hpp"
 
-#include <meniscus/data/snapshot_files.hpp>
+#include <meniscus/data/text/files.hpp>
 
 #include <cmath>
 #include <limits>

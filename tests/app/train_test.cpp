@@ -1,7 +1,7 @@
 #include "command.hpp"
 
-#include <meniscus/classifier/model.hpp>
-#include <meniscus/data/snapshot_files.hpp>
+#include <meniscus/classifier/model/model.hpp>
+#include <meniscus/data/text/files.hpp>
 
 namespace meniscus {
 namespace {
@@ -110,6 +110,32 @@ TEST_F(Train, SceneOfTheOption) {
     expect_mentions(succeed({"train", labelled, "-o", model, "--scene", "puddle"}),
                     {"puddle: 216"});
     EXPECT_EQ(read_model(model).training_files[0].scene, "puddle");
+}
+
+TEST_F(Train, InTheFeaturesOfTheOption) {
+    const Path input = save(block(8), "block.vtkhdf");
+    const Path plain = label(input);
+    const Path model = folder / "model.json";
+    const Words pair = {"--features", "mass_offset,direction_eigenvalue"};
+    fail(2, Words{"train", plain, "-o", model} + pair,
+         {"block.vtkhdf", "meniscus label --features direction_eigenvalue"});
+    const Path labelled = label(input, {"--features", "direction_eigenvalue,kernel_sum"});
+    expect_mentions(succeed(Words{"train", labelled, "-o", model} + pair),
+                    {"model.json: direction_eigenvalue", " mass_offset + ", " 0 false negatives"});
+    succeed({"audit", labelled, "--model", model, "--max-false-negatives", "0"});
+    succeed({"classify", labelled, "--model", model, "-o", folder / "classes", "--quiet"});
+    const Path header = folder / "line.hpp";
+    succeed({"export", model, "-o", header, "--quiet"});
+    expect_mentions(bytes_of(header), {"{\"mass_offset\", \"direction_eigenvalue\"}"});
+    // A model to keep brings its features.
+    succeed({"train", labelled, "-o", folder / "kept.json", "--keep-k", model, "--quiet"});
+    EXPECT_EQ(read_model(folder / "kept.json").line.k, read_model(model).line.k);
+    fail(2, {"train", labelled, "-o", model, "--features", "mass_offset,density"},
+         {"'density'", "kernel_sum", "neighbor_count"});
+    fail(2, {"train", labelled, "-o", model, "--features", "mass_offset"},
+         {"two different features"});
+    fail(2, {"label", input, "-o", folder / "other", "--features", "density"},
+         {"'density'", "kernel_sum"});
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 #include "command.hpp"
 
-#include <meniscus/version.hpp>
+#include <meniscus/runtime/version.hpp>
 
 namespace meniscus {
 namespace {

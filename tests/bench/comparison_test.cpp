@@ -1,14 +1,14 @@
 // What every comparison is made of: tables, the best of their rows, times, plots, and the line
 // among the detectors, which must be the one of the audit.
-#include "comparison/detector_comparison.hpp"
-#include "comparison/plot.hpp"
+#include "detectors/detector_comparison.hpp"
+#include "support/plot.hpp"
 
 #include <data/expected_errors.hpp>
 #include <data/test_folder.hpp>
 
-#include <meniscus/classifier/model.hpp>
-#include <meniscus/data/errors.hpp>
-#include <meniscus/data/snapshot_files.hpp>
+#include <meniscus/classifier/model/model.hpp>
+#include <meniscus/data/formats/snapshot_files.hpp>
+#include <meniscus/data/text/errors.hpp>
 #include <meniscus/labeler/labeler.hpp>
 
 #include <gtest/gtest.h>
@@ -67,12 +67,42 @@ TEST(Table, JsonKeepsAllDigits) {
     EXPECT_EQ(json["columns"][2]["heading"], "error, %");
 }
 
+TEST(Table, ColumnsSayHowTheirFiguresArePrinted) {
+    Table table = table_of("line", "state | k {:.2f} | off, % {:+.1f} | off, % {:.1f} %");
+    table.add({"ball", 116.671, 2, Figures{0.25, 3}});
+    EXPECT_EQ(markdown(table), "| state | k | off, % | off, % |\n|---|---|---|---|\n"
+                               "| ball | 116.67 | +2.0 | 0.2 % / 3.0 % |\n");
+    const nlohmann::json row = to_json(table)["rows"][0];
+    EXPECT_EQ(row["k"], 116.671);
+    EXPECT_EQ(row["off, %"], 2);
+    EXPECT_EQ(row["off, % (4)"], nlohmann::json({0.25, 3}));
+}
+
+TEST(Table, SmallestOfAColumnIsBoldWhereAskedFor) {
+    Table table = titled_table("schemes", "Errors", "scheme | 10 {:.1e} | 30 {:.1e}");
+    table.columns[1].bold_min = true;
+    table.add({"random", 0.1, 0.01});
+    table.add({"halton", 0.05, 0.02});
+    table.add({"exact", "", 0});
+    EXPECT_EQ(table.before, "\n**Errors**\n\n");
+    const std::string text = markdown(table);
+    EXPECT_NE(text.find("| random | 1.0e-01 | 1.0e-02 |"), std::string::npos) << text;
+    EXPECT_NE(text.find("| halton | **5.0e-02** | 2.0e-02 |"), std::string::npos) << text;
+}
+
+TEST(Table, RatiosAreOfNamedMedians) {
+    const Table table = ratios_of({{"slow", 3e-3}, {"fast", 2e-3}}, {{"speedup", "slow", "fast"}});
+    EXPECT_EQ(markdown(table), "| what | ratio of medians | value |\n|---|---|---|\n"
+                               "| speedup | slow / fast | 1.50 |\n");
+    EXPECT_THROW(ratios_of({}, {{"speedup", "slow", "fast"}}), std::out_of_range);
+}
+
 TEST(Timing, RunsEveryOneAndOrdersItsQuartiles) {
     int first = 0;
     int second = 0;
     TimingOptions options;
     options.repetitions = 5;
-    options.least_time = 1e-6;
+    options.min_time = 1e-6;
     const auto times = measure({{[&] { ++first; }}, {[&] { ++second; }, true}}, options);
     ASSERT_EQ(times.size(), 2U);
     EXPECT_GE(first, 5);
@@ -176,7 +206,8 @@ TEST(CoverageDetectors, FindTheDefinition) {
     const auto state = fluid_state<double>(sample("cube_iisph_05"), "cube");
     EXPECT_EQ(found_by("exact test", state), state.surface);
     EXPECT_EQ(found_by("exact test", state, 2), state.surface);
-    // The line's misses are all that is lost where a test follows, and nothing is let through.
+    // The line's misses are all that is lost where a test follows, and there are no false
+    // positives.
     const auto line = found_by("line, neyman-pearson", state);
     for (const char* name : {"line and exact test", "line and exact coverage",
                              "line and 16 samples, verified", "line and 128 samples, verified"}) {
@@ -195,7 +226,7 @@ TEST(DetectorComparison, CountsErrorsAndFindsTheExactOneWithout) {
                                          detector(all, "exact test")};
     TimingOptions timing;
     timing.repetitions = 1;
-    timing.least_time = 1e-6;
+    timing.min_time = 1e-6;
     const Table table = compare_detectors(states, some, 2, timing);
     ASSERT_EQ(table.rows.size(), 3U);
     const auto number = [&](std::size_t row, const char* key) {

@@ -1,8 +1,8 @@
 // The estimators of coverage on small clouds: errors fall as they should, in the order known.
-#include "bench/table_rows.hpp"
-#include "comparison/coverage_estimators.hpp"
+#include "coverage/coverage_estimators.hpp"
+#include "table_rows.hpp"
 
-#include <meniscus/data/errors.hpp>
+#include <meniscus/data/text/errors.hpp>
 
 namespace meniscus {
 namespace {

@@ -1,7 +1,7 @@
-#include "comparison/detector.hpp"
-#include "comparison/renormalization.hpp"
+#include "detectors/detector.hpp"
+#include "detectors/renormalization.hpp"
 
-#include <meniscus/runtime/angles.hpp>
+#include <meniscus/runtime/math/angles.hpp>
 
 #include <gtest/gtest.h>
 
@@ -61,12 +61,12 @@ Positions block(int edge, int dimension, double jitter) {
 
 /// Layers between a particle of such a block and the nearest face; 0 at the face.
 int layer(const std::array<double, 3>& position, int edge, int dimension) {
-    int least = edge;
+    int min = edge;
     for (int axis = 0; axis < dimension; ++axis) {
         const int place = static_cast<int>(std::lround(position[static_cast<std::size_t>(axis)]));
-        least = std::min({least, place, edge - 1 - place});
+        min = std::min({min, place, edge - 1 - place});
     }
-    return least;
+    return min;
 }
 
 template <class Real, int Dimension>
@@ -89,7 +89,7 @@ TYPED_TEST(RenormalizationTest, TwoParticlesByHand) {
     const auto matrix = renormalization_matrix(space.gradients(), 0);
     EXPECT_NEAR(matrix(1, 1), 0.75 * 8 / pi / 8, 1e-6);
     EXPECT_NEAR((matrix.array().abs().sum()), matrix(1, 1), 1e-12);
-    EXPECT_NEAR((smallest_eigenvalue<TypeParam, 3>(matrix)), 0, 1e-4);
+    EXPECT_NEAR((min_eigenvalue<TypeParam, 3>(matrix)), 0, 1e-4);
     EXPECT_NEAR(position_divergence(space.gradients(), 1), 0.75 * 8 / pi / 8, 1e-6);
 
     const Sums<TypeParam, 2> plane({{5, 5, 0}, {6, 5, 0}});
@@ -99,8 +99,8 @@ TYPED_TEST(RenormalizationTest, TwoParticlesByHand) {
 
 TYPED_TEST(RenormalizationTest, GradientPointsToTheNeighbor) {
     const Sums<TypeParam, 3> sums({{5, 5, 5}, {5, 4, 5}});
-    const auto around =
-        renormalization(sums.gradients(), 0, [](const auto&) { return pack_of<TypeParam>(2); });
+    const auto around = renormalization(sums.gradients(), 0,
+                                        [](const auto&) { return all_lanes<Pack<TypeParam>>(2); });
     // 2 V W' / h^4, the divergence of the pair over its distance, twice.
     EXPECT_NEAR(around.gradient[1], -2 * 0.75 * 8 / pi / 8, 1e-6);
     EXPECT_EQ(around.gradient[0], 0);
@@ -109,10 +109,10 @@ TYPED_TEST(RenormalizationTest, GradientPointsToTheNeighbor) {
 TYPED_TEST(RenormalizationTest, SmallestEigenvalueOfAKnownMatrix) {
     SquareMatrix<TypeParam, 3> m;
     m << 2, 1, 0, 1, 2, 0, 0, 0, 5; // 1, 3 and 5
-    EXPECT_NEAR((smallest_eigenvalue<TypeParam, 3>(m)), 1, 1e-5);
+    EXPECT_NEAR((min_eigenvalue<TypeParam, 3>(m)), 1, 1e-5);
     SquareMatrix<TypeParam, 2> plane;
     plane << 2, 1, 1, 2;
-    EXPECT_NEAR((smallest_eigenvalue<TypeParam, 2>(plane)), 1, 1e-5);
+    EXPECT_NEAR((min_eigenvalue<TypeParam, 2>(plane)), 1, 1e-5);
 }
 
 template <class Real, int Dimension>
@@ -124,7 +124,7 @@ void expect_unity_inside() {
         if (layer(positions[i], 13, Dimension) >= 3) {
             ++inside;
             const auto matrix = renormalization_matrix(sums.gradients(), i);
-            const Real lambda = smallest_eigenvalue<Real, Dimension>(matrix);
+            const Real lambda = min_eigenvalue<Real, Dimension>(matrix);
             EXPECT_NEAR(lambda, 1, 0.2) << i;
             const Real divergence = position_divergence(sums.gradients(), i);
             EXPECT_NEAR(divergence, Dimension, 0.1 * Dimension) << i;

@@ -1,10 +1,10 @@
 // Lines in the plane of any two features, on three samples of three scenes.
-#include "bench/table_rows.hpp"
-#include "comparison/detector.hpp"
-#include "comparison/feature_pairs.hpp"
-#include "comparison/particle_features.hpp"
+#include "detectors/detector.hpp"
+#include "features/feature_pairs.hpp"
+#include "table_rows.hpp"
 
-#include <meniscus/classifier/neyman_pearson.hpp>
+#include <meniscus/classifier/objectives/neyman_pearson.hpp>
+#include <meniscus/classifier/objectives/scene_errors.hpp>
 
 #include <algorithm>
 
@@ -35,35 +35,33 @@ double figure_of(const std::string& features, const std::string& kind, const std
     return figure_in(table(), rows.at(0), key);
 }
 
-/// The states as the trainer has them, with the features of the comparison.
+/// The states as the trainer has them, with the features of the runtime.
 std::vector<LabelledState> labelled_states() {
     std::vector<LabelledState> labelled;
     for (const auto& state : states()) {
-        const FeatureArrays features = all_features(state);
         LabelledState one;
         one.scene = state.scene;
-        one.mass_offset.assign(features[0].begin(), features[0].end());
-        one.neighbor_count.assign(features[1].begin(), features[1].end());
+        const auto range = neighbor_range<float>(static_cast<double>(state.support_radius), 0.8);
+        for (std::size_t i = 0; i < state.size(); ++i) {
+            const auto sum = sum_features<float, 3>(state.view<3>(), i, range);
+            one.first.push_back(static_cast<double>(mass_offset(sum, state.support_radius)));
+            one.neighbor_count.push_back(sum.count);
+        }
         one.uncovered_fraction = state.uncovered_fraction;
         labelled.push_back(one);
     }
     return labelled;
 }
 
-double rate_of_trainer(const std::vector<LabelledState>& training,
-                       const std::vector<LabelledState>& judged) {
-    const Line line = fewest_false_positives(training, label_threshold);
-    return 100 * mean_false_positive_rate(count_errors(judged, line, label_threshold));
-}
-
-// The trainer's line has a margin for rounding, within which there are some particles.
 TEST(FeaturePairs, PapersPairAsTheTrainerHasIt) {
     const auto labelled = labelled_states();
-    const double rate = rate_of_trainer(labelled, labelled);
-    const double own = figure_of("offset, count", "line", "false_positive_rate");
-    EXPECT_GT(own, 0);
-    EXPECT_LE(own, rate);
-    EXPECT_NEAR(own, rate, 0.02);
+    const Line line = min_false_positives(labelled, label_threshold);
+    const double rate =
+        100 * mean_false_positive_rate(count_errors(labelled, line, label_threshold));
+    EXPECT_GT(rate, 0);
+    // In a free plane lines may fall, too, and rounding may tip a particle.
+    EXPECT_NEAR(figure_of("mass_offset, neighbor_count", "line", "false_positive_rate"), rate,
+                0.02);
 }
 
 TEST(FeaturePairs, PapersPairOnScenesLeftOutAsTheTrainerHasIt) {
@@ -73,14 +71,16 @@ TEST(FeaturePairs, PapersPairOnScenesLeftOutAsTheTrainerHasIt) {
     for (std::size_t s = 0; s < labelled.size(); ++s) {
         auto others = labelled;
         others.erase(others.begin() + static_cast<std::ptrdiff_t>(s));
-        const Line line = fewest_false_positives(others, label_threshold);
+        const Line line = min_false_positives(others, label_threshold);
         const auto errors = count_errors({labelled[s]}, line, label_threshold);
         rate += 100 * mean_false_positive_rate(errors) / static_cast<double>(labelled.size());
         missed += errors[0].false_negatives;
     }
-    EXPECT_NEAR(figure_of("offset, count", "line", "left_out_false_positive_rate"), rate, 0.05);
-    EXPECT_NEAR(figure_of("offset, count", "line", "left_out_false_negatives"),
-                static_cast<double>(missed), 3);
+    const auto figure = [](const char* key) {
+        return figure_of("mass_offset, neighbor_count", "line", key);
+    };
+    EXPECT_NEAR(figure("left_out_false_positive_rate"), rate, 0.05);
+    EXPECT_NEAR(figure("left_out_false_negatives"), static_cast<double>(missed), 3);
 }
 
 TEST(FeaturePairs, EachPairEachFeatureAndTheTables) {
@@ -101,12 +101,13 @@ TEST(FeaturePairs, MoreFreedomLetsLessThrough) {
     };
     for (std::size_t a = 0; a < feature_count; ++a)
         for (std::size_t b = a + 1; b < feature_count; ++b) {
-            const std::string first = feature_name(static_cast<Feature>(a));
-            const std::string second = feature_name(static_cast<Feature>(b));
+            const std::string first = feature_list[a].name;
+            const std::string second = feature_list[b].name;
             EXPECT_LE(rate(first + ", " + second, "line"),
                       std::min(rate(first, "threshold"), rate(second, "threshold")));
         }
-    EXPECT_LE(rate("offset for each count, falling", "table"), rate("offset, count", "line"));
+    EXPECT_LE(rate("offset for each count, falling", "table"),
+              rate("mass_offset, neighbor_count", "line"));
     EXPECT_LE(rate("offset for each count", "table"),
               rate("offset for each count, falling", "table"));
 }
@@ -122,7 +123,7 @@ TEST(FeaturePairs, OneSceneLeavesNothingOut) {
 
 struct Wrong {
     double missed = 0;
-    double let_through = 0;
+    double false_positives = 0;
 };
 
 /// Of a detector of the list, in parts of the surface and of all particles.
@@ -137,10 +138,10 @@ Wrong wrong_by(const std::vector<Detector<float>>& all, std::size_t detector) {
         for (std::size_t i = 0; i < state.size(); ++i) {
             surface_particles += state.surface[i];
             wrong.missed += state.surface[i] != 0 && surface[i] == 0 ? 1 : 0;
-            wrong.let_through += state.surface[i] == 0 && surface[i] != 0 ? 1 : 0;
+            wrong.false_positives += state.surface[i] == 0 && surface[i] != 0 ? 1 : 0;
         }
     }
-    return {wrong.missed / surface_particles, wrong.let_through / particles};
+    return {wrong.missed / surface_particles, wrong.false_positives / particles};
 }
 
 // Rivals are written well enough to come near the exact labels on real states.
@@ -149,10 +150,10 @@ TEST(Rivals, ComeNearTheExactLabels) {
     add_eigenvalue_detectors(3, all);
     const Wrong alone = wrong_by(all, 0);
     EXPECT_LT(alone.missed, 0.02);
-    EXPECT_LT(alone.let_through, 0.02);
+    EXPECT_LT(alone.false_positives, 0.02);
     for (const std::size_t with_cone : {1U, 2U}) {
         const Wrong cone = wrong_by(all, with_cone);
-        EXPECT_LT(cone.let_through, alone.let_through); // the second step only takes away
+        EXPECT_LT(cone.false_positives, alone.false_positives); // the second step only takes away
         EXPECT_GT(cone.missed, alone.missed);
         EXPECT_LT(cone.missed, 0.06);
     }
@@ -164,7 +165,7 @@ TEST(Rivals, ComeNearTheExactLabels) {
     add_visibility_detectors(3, all);
     for (std::size_t d = 0; d < all.size(); ++d) {
         EXPECT_LT(wrong_by(all, d).missed, 0.15) << all[d].name;
-        EXPECT_LT(wrong_by(all, d).let_through, 0.02) << all[d].name;
+        EXPECT_LT(wrong_by(all, d).false_positives, 0.02) << all[d].name;
     }
 }
 

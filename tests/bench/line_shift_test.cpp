@@ -1,8 +1,8 @@
 // The line's constant d: more of it finds more and misses less.
-#include "bench/table_rows.hpp"
-#include "comparison/line_shift.hpp"
+#include "table_rows.hpp"
+#include "training/line_shift.hpp"
 
-#include <meniscus/data/errors.hpp>
+#include <meniscus/data/text/errors.hpp>
 
 namespace meniscus {
 namespace {

@@ -1,6 +1,6 @@
 // Normals are as accurate as docs/normals.md says, on fewer clouds than there.
-#include "normal_cases.hpp"
-#include "normal_schemes.hpp"
+#include "normals/normal_cases.hpp"
+#include "normals/normal_schemes.hpp"
 
 #include <array>
 #include <cmath>
@@ -13,9 +13,9 @@ using PassErrors = std::array<double, circle_passes>;
 
 /// Mean distances on circles after no, one and two smoothing passes.
 template <class Fill>
-PassErrors circle_errors(const ExposureOptions& options, const Fill& fill) {
+PassErrors circle_errors(const SurfaceTensionOptions& options, const Fill& fill) {
     static const std::vector<NormalCase> cases = {circle_case(4, 1), circle_case(4, 2)};
-    std::array<MeanError, circle_passes> errors;
+    std::array<Spread, circle_passes> errors;
     SurfaceParticles<double, 2> list;
     std::vector<std::array<double, 2>> before;
     SampleDirections directions;
@@ -56,7 +56,7 @@ TEST(CircleNormals, FallFasterThanThoseOfRandomDirections) {
 }
 
 TEST(CircleNormals, OfRandomDirectionsAreThePreprints) {
-    ExposureOptions as_published;
+    SurfaceTensionOptions as_published;
     as_published.verification = Verification::drop;
     for (std::size_t row = 0; row < circle_sample_counts.size(); ++row) {
         const auto errors =
@@ -69,15 +69,15 @@ TEST(CircleNormals, OfRandomDirectionsAreThePreprints) {
 }
 
 TEST(CircleNormals, AreExactWhereCoverageIs) {
-    ExposureOptions exact;
-    exact.method = CoverageMethod::exact;
+    SurfaceTensionOptions exact;
+    exact.coverage = CoverageMethod::exact;
     EXPECT_LT(circle_errors(exact, [](std::size_t, SampleDirections&) {})[0], 0.002);
 }
 
 /// Mean angle in degrees on saddles, without smoothing.
 double saddle_error(const std::string& scheme, std::size_t samples) {
     static const std::vector<NormalCase> cases = {saddle_case(2, 1), saddle_case(2, 2)};
-    MeanError error;
+    Spread error;
     SurfaceParticles<double, 3> list;
     SampleDirections directions;
     for (std::size_t seed = 0; seed < cases.size(); ++seed) {

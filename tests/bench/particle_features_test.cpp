@@ -1,8 +1,6 @@
-#include "comparison/particle_features.hpp"
+#include "features/particle_features.hpp"
+#include "reference/feature_reference.hpp"
 
-#include <meniscus/runtime/angles.hpp>
-
-#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -35,62 +33,27 @@ FluidState<float> random_state(int dimension, std::size_t count) {
     return state;
 }
 
-double spline(double q, int dimension) {
-    const double scale = dimension == 2 ? 40 / (7 * pi) : 8 / pi;
-    return scale * (q <= 0.5 ? 1 - 6 * q * q + 6 * q * q * q : 2 * std::pow(1 - q, 3));
-}
-
-double spline_slope(double q, int dimension) {
-    const double scale = dimension == 2 ? 40 / (7 * pi) : 8 / pi;
-    return scale * (q <= 0.5 ? 18 * q * q - 12 * q : -6 * (1 - q) * (1 - q));
-}
-
-/// All features of a particle, written down as they are defined.
+/// All features of a particle as they are defined, those over the kernel in volumes.
 template <int Dimension>
-std::array<double, feature_count> reference(const FluidState<float>& state, std::size_t i) {
-    using Vector = Eigen::Matrix<double, Dimension, 1>;
-    using Matrix = Eigen::Matrix<double, Dimension, Dimension>;
+std::map<std::string, double> reference(const FluidState<float>& state, std::size_t i) {
     const double h = static_cast<double>(state.support_radius);
-    const double volume = static_cast<double>(state.particle_volume) / std::pow(h, Dimension);
-    const auto place = [&](std::size_t j) {
-        Vector x;
-        for (int axis = 0; axis < Dimension; ++axis)
-            x[axis] = static_cast<double>(
-                state.positions[Dimension * j + static_cast<std::size_t>(axis)]);
-        return x;
-    };
-    Vector offset = Vector::Zero(), unit = offset, squared = offset;
-    Matrix renormalization = Matrix::Zero(), directions = renormalization, moments = directions;
-    double count = 0;
-    double density = spline(0, Dimension);
+    std::vector<test::ReferenceNeighbor<Dimension>> around;
     for (std::size_t n = state.lists.offsets[i]; n < state.lists.offsets[i + 1]; ++n) {
-        const Vector step = (place(state.lists.neighbors[n]) - place(i)) / h;
-        const double q = step.norm();
-        density += spline(q, Dimension);
-        if (q > 0)
-            renormalization -= spline_slope(q, Dimension) / q * step * step.transpose();
-        if (q <= 0.2)
-            continue;
-        ++count;
-        offset += step;
-        unit += step / q;
-        squared += step * q;
-        moments += step * step.transpose();
-        directions += step * step.transpose() / (q * q);
+        const std::size_t j = state.lists.neighbors[n];
+        test::ReferenceNeighbor<Dimension> neighbor;
+        for (int axis = 0; axis < Dimension; ++axis)
+            neighbor.step[axis] =
+                static_cast<double>(
+                    state.positions[Dimension * j + static_cast<std::size_t>(axis)] -
+                    state.positions[Dimension * i + static_cast<std::size_t>(axis)]) /
+                h;
+        around.push_back(neighbor);
     }
-    const auto least = [](const Matrix& matrix) {
-        return Eigen::SelfAdjointEigenSolver<Matrix>(matrix).eigenvalues()[0];
-    };
-    const double per = 1 / std::max(1.0, count);
-    return {offset.norm() * per,
-            count,
-            unit.norm() * per,
-            squared.norm() * per,
-            volume * density,
-            least(volume * renormalization),
-            volume * renormalization.trace(),
-            least(directions),
-            least(moments)};
+    auto values = test::features_by_definition<Dimension>(around);
+    const double volume = static_cast<double>(state.particle_volume) / std::pow(h, Dimension);
+    for (const char* name : {"kernel_sum", "gradient_eigenvalue", "position_divergence"})
+        values.at(name) *= volume;
+    return values;
 }
 
 template <int Dimension>
@@ -99,9 +62,11 @@ void expect_as_defined() {
     const FeatureArrays features = all_features(state);
     for (std::size_t i = 0; i < state.size(); ++i) {
         const auto expected = reference<Dimension>(state, i);
-        for (std::size_t f = 0; f < feature_count; ++f)
-            EXPECT_NEAR(features[f][i], expected[f], 1e-4 * std::max(1.0, expected[f]))
-                << feature_name(static_cast<Feature>(f)) << " of " << i;
+        for (std::size_t f = 0; f < feature_count; ++f) {
+            const double value = expected.at(feature_list[f].name);
+            EXPECT_NEAR(features[f][i], value, 1e-4 * std::max(1.0, value))
+                << feature_list[f].name << " of " << i;
+        }
     }
 }
 
@@ -128,7 +93,7 @@ TEST(ParticleFeaturesTest, EachPairAsAmongAll) {
         for (std::size_t a = 0; a < feature_count; ++a)
             for (std::size_t b = 0; b < feature_count; ++b) {
                 FeatureArrays pair;
-                find_features(state, static_cast<Feature>(a), static_cast<Feature>(b), pair);
+                find_features(state, {a, b}, pair);
                 for (std::size_t f = 0; f < feature_count; ++f)
                     EXPECT_EQ(pair[f], f == a || f == b ? all[f] : std::vector<float>());
             }
@@ -144,8 +109,8 @@ TEST(ParticleFeaturesTest, NobodyAround) {
     state.lists = find_neighbors({{1, 2, 3}}, 1.0);
     const FeatureArrays features = all_features(state);
     for (std::size_t f = 0; f < feature_count; ++f) {
-        const bool is_density = static_cast<Feature>(f) == Feature::density;
-        EXPECT_NEAR(features[f].at(0), is_density ? 0.125 * 8 / pi : 0, 1e-6) << f;
+        const bool is_kernel = f == find_feature("kernel_sum");
+        EXPECT_NEAR(features[f].at(0), is_kernel ? 0.125 * 8 / pi : 0, 1e-6) << f;
     }
 }
 

@@ -1,7 +1,7 @@
 // Looking things up in the tables of a comparison.
 #pragma once
 
-#include "comparison/table.hpp"
+#include "support/table.hpp"
 
 #include <functional>
 #include <gtest/gtest.h>

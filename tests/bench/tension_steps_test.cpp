@@ -1,18 +1,16 @@
 // Surface-tension steps on small balls, and the fluid that they run on.
-#include <meniscus/sph/step_headers.hpp>
+#include "tension/tension_steps.hpp"
 
-#include "comparison/tension_steps.hpp"
-
-#include "becker_force.hpp"
-#include "bench/table_rows.hpp"
-#include "comparison/known_state.hpp"
-#include "comparison/step_fluid.hpp"
-#include "comparison/step_models.hpp"
 #include "data/test_folder.hpp"
+#include "support/known_state.hpp"
+#include "table_rows.hpp"
+#include "tension/becker_force.hpp"
+#include "tension/step_fluid.hpp"
+#include "tension/step_models.hpp"
 
-#include <meniscus/data/errors.hpp>
-#include <meniscus/data/vtkhdf.hpp>
-#include <meniscus/sph/becker_2007.hpp>
+#include <meniscus/data/formats/vtkhdf.hpp>
+#include <meniscus/data/text/errors.hpp>
+#include <meniscus/sph/tension/becker_2007.hpp>
 
 namespace meniscus {
 namespace {
@@ -32,11 +30,11 @@ TEST(StepFluid, IsAboutOfTheRestDensityInside) {
 }
 
 TEST(StepFluid, IsPulledTogetherAsAnotherLoopHasIt) {
-    const auto ball = known_state<float>("ball", sphere(2), 0.2);
+    const auto ball = known_state<float>("ball", sphere(2), known_cloud(0.2));
     StepFluid<float, 3> step(ball.state.positions, ball.state.lists, 1, ball.state.particle_volume);
     TensionOptions options;
     options.coefficient = 1;
-    BeckerTension<float, 3>(options).add_accelerations(step.fluid);
+    BeckerTension<float, 3>(options, step.fluid.units, 0.5).add_accelerations(step.fluid);
     std::vector<BeckerRow> rows(1);
     std::vector<std::array<float, 3>> force;
     const float factor = CubicSpline<float, 3>::sigma;
@@ -50,21 +48,22 @@ TEST(StepFluid, IsPulledTogetherAsAnotherLoopHasIt) {
 }
 
 TEST(StepModels, PullAlikeWithEveryInstructionSet) {
-    const auto ball = known_state<float>("ball", sphere(2), 0.2);
+    const auto ball = known_state<float>("ball", sphere(2), known_cloud(0.2));
     const StepState state{&ball.state.positions, &ball.state.lists, 1, ball.state.particle_volume};
     std::vector<StepModelKind> kinds;
-    for (const TensionModel model : {TensionModel::meniscus, TensionModel::becker_2007,
-                                     TensionModel::akinci_2013, TensionModel::color_field}) {
+    for (const std::string_view model : {"meniscus", "becker_2007", "akinci_2013", "color_field"}) {
         kinds.emplace_back();
         kinds.back().options.model = model;
         kinds.back().options.coefficient = 1;
     }
     kinds.push_back({kinds[0].options, true});
-    const auto baseline = step_models_baseline(state, 0.5, kinds);
-    for (const auto& wide :
-         {step_models_avx2(state, 0.5, kinds), step_models_avx512(state, 0.5, kinds)})
-        for (std::size_t model = 0; wide && model < kinds.size(); ++model)
-            EXPECT_EQ(wide->accelerations(model), baseline->accelerations(model)) << model;
+    const auto baseline = step_models(state, 0.5, kinds, InstructionSet::baseline);
+    for (const InstructionSet set : instruction_sets) {
+        const auto wide = step_models(state, 0.5, kinds, set);
+        for (std::size_t model = 0; model < kinds.size(); ++model)
+            EXPECT_EQ(wide->accelerations(model), baseline->accelerations(model))
+                << name_of(set) << ", model " << model;
+    }
     EXPECT_NE(baseline->accelerations(0), baseline->accelerations(kinds.size() - 1));
 }
 

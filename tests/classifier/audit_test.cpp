@@ -1,12 +1,12 @@
-#include "classifier/labelled_snapshots.hpp"
 #include "data/test_folder.hpp"
+#include "labelled_snapshots.hpp"
 
-#include <meniscus/classifier/audit.hpp>
-#include <meniscus/classifier/confidence.hpp>
-#include <meniscus/classifier/trainer.hpp>
-#include <meniscus/data/errors.hpp>
-#include <meniscus/data/snapshot_files.hpp>
-#include <meniscus/data/vtkhdf.hpp>
+#include <meniscus/classifier/audit/audit.hpp>
+#include <meniscus/classifier/audit/confidence.hpp>
+#include <meniscus/classifier/objectives/trainer.hpp>
+#include <meniscus/data/formats/snapshot_files.hpp>
+#include <meniscus/data/formats/vtkhdf.hpp>
+#include <meniscus/data/text/errors.hpp>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -26,12 +26,12 @@ AuditRow audited(const Snapshot& snapshot, const Model& model, double label_thre
 TEST(Audit, MatchesTheExampleWorkedOutByHand) {
     const AuditRow row = audited(chain(), chain_model(), 0);
     EXPECT_EQ(row.particles, 6U);
-    EXPECT_EQ(row.surface, 4U);
+    EXPECT_EQ(row.surface_particles, 4U);
     EXPECT_EQ(row.false_negatives, 2U);
     EXPECT_EQ(row.false_positives, 1U);
     EXPECT_EQ(row.false_negatives_float, 2U);
     EXPECT_EQ(row.false_positives_float, 1U);
-    EXPECT_EQ(row.false_positives_after_coverage_check, 0U);
+    EXPECT_EQ(row.uncovered_false_positives, 0U);
     EXPECT_EQ(row.features_differ, 0U);
     EXPECT_DOUBLE_EQ(false_positive_rate(row), 1.0 / 6);
     EXPECT_DOUBLE_EQ(false_positive_rate_interior(row), 1.0 / 2);
@@ -48,11 +48,11 @@ TEST(Audit, MatchesTheExampleWorkedOutByHand) {
 
 TEST(Audit, LabelThresholdMovesParticlesBetweenTheClasses) {
     const AuditRow row = audited(chain(), chain_model(), 0.35);
-    EXPECT_EQ(row.surface, 1U);
+    EXPECT_EQ(row.surface_particles, 1U);
     EXPECT_EQ(row.false_negatives, 0U);
     EXPECT_EQ(row.false_positives, 2U);
-    EXPECT_EQ(row.false_positives_after_coverage_check, 1U); // lambda 0.3 stays, 0 goes
-    EXPECT_EQ(row.bands[0].missed, 1U);                      // bands do not depend on it
+    EXPECT_EQ(row.uncovered_false_positives, 1U); // lambda 0.3 stays, 0 goes
+    EXPECT_EQ(row.bands[0].missed, 1U);           // bands do not depend on it
 }
 
 TEST(Audit, PhasesDoNotSeeEachOther) {

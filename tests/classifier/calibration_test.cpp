@@ -1,6 +1,6 @@
-#include <meniscus/classifier/calibration.hpp>
-#include <meniscus/data/errors.hpp>
-#include <meniscus/data/shapes.hpp>
+#include <meniscus/classifier/curvature/calibration.hpp>
+#include <meniscus/data/clouds/shapes.hpp>
+#include <meniscus/data/text/errors.hpp>
 
 #include <data/expected_errors.hpp>
 
@@ -24,7 +24,7 @@ Json example() {
         {"averaged", true},
         {"terms", {"constant", "turning"}},
         {"bias_penalty", 100},
-        {"least_curvature", 0.1},
+        {"min_curvature", 0.1},
         {"samples", {0, 128}},
         {"seed", 1},
         {"clouds",
@@ -98,7 +98,7 @@ TEST(CalibrationFile, RefusesWhatIsNotPlausible) {
     expect_refused("/terms", Json::array(), "terms");
     expect_refused("/samples", {3}, "samples");
     expect_refused("/samples", {128.5}, "samples");
-    expect_refused("/least_curvature", 0, "least_curvature");
+    expect_refused("/min_curvature", 0, "min_curvature");
     expect_refused("/clouds", "filled", "clouds");
     expect_refused("/clouds/kind", "sparse", "clouds.kind");
     expect_refused("/clouds/spacing_ratios", {0.5}, "clouds.spacing_ratios");

@@ -1,8 +1,8 @@
-#include "classifier/labelled_snapshots.hpp"
 #include "data/expected_errors.hpp"
+#include "labelled_snapshots.hpp"
 
-#include <meniscus/classifier/classify_snapshot.hpp>
-#include <meniscus/data/errors.hpp>
+#include <meniscus/classifier/model/classify_snapshot.hpp>
+#include <meniscus/data/text/errors.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <meniscus/classifier/confidence.hpp>
+#include <meniscus/classifier/audit/confidence.hpp>
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 #include "data/test_folder.hpp"
 
-#include <meniscus/classifier/curvature_model.hpp>
-#include <meniscus/classifier/header_export.hpp>
-#include <meniscus/classifier/torch_plugin.hpp>
-#include <meniscus/data/errors.hpp>
+#include <meniscus/classifier/curvature/curvature_model.hpp>
+#include <meniscus/classifier/export/header_export.hpp>
+#include <meniscus/classifier/torch/torch_plugin.hpp>
+#include <meniscus/data/text/errors.hpp>
 
 #include <cmath>
 #include <cstdlib>
@@ -25,7 +25,7 @@ CurvatureModel example() {
     model.normal_passes = 1;
     model.spacing_ratio = {1.8, 2.7};
     model.bias_penalty = 100;
-    model.least_curvature = 0.1;
+    model.min_curvature = 0.1;
     model.seed = 7;
     model.cloud_count = 12;
     model.particles = 3456;
@@ -92,12 +92,12 @@ TEST_F(CurvatureHeader, CompilesAloneAndHoldsTheModel) {
                                           "static_assert(Map::dimension == 3);\n"
                                           "static_assert(Map::coefficients[0] == -0.01);\n"
                                           "static_assert(Map::coefficients[3] == 0.125);\n"
-                                          "static_assert(Map::least == -0.5);\n"
-                                          "static_assert(Map::largest == 0.75);\n"
+                                          "static_assert(Map::min == -0.5);\n"
+                                          "static_assert(Map::max == 0.75);\n"
                                           "static_assert(Map::averaged);\n"
                                           "static_assert(Map::radius_ratio == 0.8);\n"
                                           "static_assert(Map::normal_passes == 1);\n"
-                                          "static_assert(Map::spacing_ratio_max == 2.7);\n");
+                                          "static_assert(Map::max_spacing_ratio == 2.7);\n");
     for (const auto& source : {file, check})
         EXPECT_EQ(std::system((std::string(MENISCUS_CXX_COMPILER) +
                                " -std=c++17 -Wall -Wextra -Werror -fsyntax-only -x c++ '" +
@@ -107,7 +107,7 @@ TEST_F(CurvatureHeader, CompilesAloneAndHoldsTheModel) {
 }
 
 TEST_F(CurvatureHeader, RefusesNamesAndNumbersThatAreNone) {
-    for (const char* name : {"", "coefficients", "least", "int", "a-b"})
+    for (const char* name : {"", "coefficients", "min", "int", "a-b"})
         expect_mentions(error_of<InputError>([&] { coefficient_header(example(), name); }), {name});
     CurvatureModel model = example();
     model.map.coefficients[1] = std::numeric_limits<double>::quiet_NaN();
@@ -146,7 +146,7 @@ Calibration known_calibration(double bias_penalty) {
     Calibration calibration;
     calibration.has_term = {true, true, true, false};
     calibration.bias_penalty = bias_penalty;
-    calibration.least_curvature = 0.1;
+    calibration.min_curvature = 0.1;
     return calibration;
 }
 
@@ -156,8 +156,8 @@ TEST(CurvatureTrainer, FindsTheCoefficientsThatAreThere) {
     EXPECT_NEAR(model.map.coefficients[1], 1.1, 1e-5);
     EXPECT_NEAR(model.map.coefficients[2], -0.3, 1e-6);
     EXPECT_EQ(model.map.coefficients[3], 0);
-    EXPECT_NEAR(model.map.least, -0.5, 1e-6);
-    EXPECT_NEAR(model.map.largest, 0.6, 1e-6);
+    EXPECT_NEAR(model.map.min, -0.5, 1e-6);
+    EXPECT_NEAR(model.map.max, 0.6, 1e-6);
     EXPECT_EQ(model.particles, 40U);
     EXPECT_EQ(model.cloud_count, 10U);
 }

@@ -1,7 +1,7 @@
 #include "data/test_folder.hpp"
 
-#include <meniscus/classifier/header_export.hpp>
-#include <meniscus/data/errors.hpp>
+#include <meniscus/classifier/export/header_export.hpp>
+#include <meniscus/data/text/errors.hpp>
 
 #include <cmath>
 #include <cstdio>
@@ -60,8 +60,8 @@ TEST_F(HeaderExport, ValuesReadBackToTheSameBits) {
                      "#include \"line.hpp\"\n#include \"line.hpp\"\n" + same("k", model.line.k) +
                          same("d", model.line.d) + same("radius_ratio", 0.8) +
                          same("label_threshold", model.label_threshold) +
-                         same("bulk_neighbor_count_min", 26) + same("bulk_neighbor_count_max", 43) +
-                         same("spacing_ratio_min", 0) + same("spacing_ratio_max", 0) +
+                         same("min_bulk_neighbor_count", 26) + same("max_bulk_neighbor_count", 43) +
+                         same("min_spacing_ratio", 0) + same("max_spacing_ratio", 0) +
                          "static_assert(meniscus::Line::dimension == 3);\nint main() {}\n"))
             << factor;
     }

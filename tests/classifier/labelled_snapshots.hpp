@@ -1,8 +1,8 @@
 // A labelled snapshot small enough to work out by hand.
 #pragma once
 
-#include <meniscus/classifier/model.hpp>
-#include <meniscus/data/snapshot.hpp>
+#include <meniscus/classifier/model/model.hpp>
+#include <meniscus/data/particles/snapshot.hpp>
 
 #include <limits>
 

@@ -1,10 +1,10 @@
-#include "classifier/labelled_snapshots.hpp"
-#include "classifier/synthetic_states.hpp"
 #include "data/test_folder.hpp"
+#include "labelled_snapshots.hpp"
+#include "synthetic_states.hpp"
 
-#include <meniscus/classifier/labelled_state.hpp>
-#include <meniscus/data/errors.hpp>
-#include <meniscus/data/vtkhdf.hpp>
+#include <meniscus/classifier/training_set/labelled_state.hpp>
+#include <meniscus/data/formats/vtkhdf.hpp>
+#include <meniscus/data/text/errors.hpp>
 
 #include <gtest/gtest.h>
 #include <limits>
@@ -131,7 +131,7 @@ TEST_F(LabelledFile, IsReadWithItsHash) {
     const LabelledState state = read_labelled_state(folder / "chain.vtkhdf", "");
     EXPECT_EQ(state.hash.size(), 64U);
     EXPECT_EQ(state.scene, "chain");
-    EXPECT_EQ(state.mass_offset, (std::vector<double>{0.5, 0, 0, 0, 0.5, 0}));
+    EXPECT_EQ(state.first, (std::vector<double>{0.5, 0, 0, 0, 0.5, 0}));
     EXPECT_EQ(read_labelled_state(folder / "chain.vtkhdf", "mine").scene, "mine");
     EXPECT_THROW(read_labelled_state(folder / "missing.vtkhdf", ""), InputError);
 }

@@ -1,7 +1,7 @@
 #include "data/test_folder.hpp"
 
-#include <meniscus/classifier/model.hpp>
-#include <meniscus/data/errors.hpp>
+#include <meniscus/classifier/model/model.hpp>
+#include <meniscus/data/text/errors.hpp>
 
 #include <cmath>
 #include <functional>
@@ -138,7 +138,9 @@ TEST(Model, RefusesImplausibleValues) {
         {"false_positives", 23101},
         {"false_positives", -1},
         {"false_positives", 1.5},
-        {"features", {"neighbor_count", "mass_offset"}},
+        {"features", {"neighbor_count", "neighbor_count"}},
+        {"features", {"neighbor_count", "offset"}},
+        {"features", {"relative_neighbor_count", "mass_offset"}},
         {"boundary_rule", "boundary particles count half"},
         {"boundary_rule", ""},
         {"format", "something else"},

@@ -1,7 +1,9 @@
-#include "classifier/synthetic_states.hpp"
+#include "synthetic_states.hpp"
 
-#include <meniscus/classifier/neyman_pearson.hpp>
-#include <meniscus/data/errors.hpp>
+#include <meniscus/classifier/objectives/neyman_pearson.hpp>
+#include <meniscus/classifier/objectives/scene_errors.hpp>
+#include <meniscus/classifier/objectives/shift.hpp>
+#include <meniscus/data/text/errors.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +15,10 @@ namespace {
 
 using test::LabelledParticle;
 using test::state_of;
+
+/// Bounds of what float adds to the features.
+const double x_margin = feature_list[FeaturePair{}.first].float_error;
+const double y_margin = feature_list[FeaturePair{}.second].float_error;
 
 struct Outcome {
     std::size_t false_negatives = 0;
@@ -34,16 +40,15 @@ std::vector<double> candidate_slopes(const std::vector<LabelledState>& states) {
     std::vector<LabelledParticle> all;
     for (const LabelledState& state : states)
         for (std::size_t i = 0; i < state.size(); ++i)
-            all.push_back(
-                {state.mass_offset[i], static_cast<std::uint32_t>(state.neighbor_count[i]), 0});
-    std::vector<double> slopes = {0, largest_slope};
+            all.push_back({state.first[i], static_cast<std::uint32_t>(state.neighbor_count[i]), 0});
+    std::vector<double> slopes = {0, max_slope()};
     for (const auto& a : all)
         for (const auto& b : all)
             for (const double margin : {0.0, 1.0}) {
-                const double k = (a.neighbor_count - margin * margin_without_slope -
-                                  static_cast<double>(b.neighbor_count)) /
-                                 (a.mass_offset + margin * margin_per_slope - b.mass_offset);
-                if (k > 0 && k < largest_slope)
+                const double k =
+                    (a.neighbor_count - margin * y_margin - static_cast<double>(b.neighbor_count)) /
+                    (a.mass_offset + margin * x_margin - b.mass_offset);
+                if (k > 0 && k < max_slope())
                     slopes.push_back(k);
             }
     std::sort(slopes.begin(), slopes.end());
@@ -51,17 +56,17 @@ std::vector<double> candidate_slopes(const std::vector<LabelledState>& states) {
 }
 
 /// The least mean false-positive rate over every slope that could make a difference.
-double least_rate(const std::vector<LabelledState>& states, double threshold) {
+double min_rate(const std::vector<LabelledState>& states, double threshold) {
     const auto slopes = candidate_slopes(states);
-    double least = 1;
+    double min = 1;
     for (std::size_t s = 0; s + 1 < slopes.size(); ++s) {
         // Where slopes are this close, rounding decides.
         if (slopes[s + 1] - slopes[s] < 1e-8 * (1 + slopes[s]))
             continue;
         const double k = (slopes[s] + slopes[s + 1]) / 2;
-        least = std::min(least, outcome(states, shift_line(states, threshold, k), threshold).rate);
+        min = std::min(min, outcome(states, shift_line(states, threshold, k), threshold).rate);
     }
-    return least;
+    return min;
 }
 
 /// Random particles of several scenes, on a coarse grid (ties, stacks, coincident points of both
@@ -88,12 +93,12 @@ TEST(NeymanPearson, MatchesExhaustiveSearch) {
     std::mt19937 random(1);
     for (int trial = 0; trial < 4000; ++trial) {
         const auto states = random_states(random, trial % 2 == 0);
-        const Line line = fewest_false_positives(states, 0);
+        const Line line = min_false_positives(states, 0);
         const Outcome found = outcome(states, line, 0);
         EXPECT_EQ(found.false_negatives, 0U) << "trial " << trial;
-        EXPECT_NEAR(found.rate, least_rate(states, 0), 1e-12) << "trial " << trial;
+        EXPECT_NEAR(found.rate, min_rate(states, 0), 1e-12) << "trial " << trial;
         EXPECT_GE(line.k, 0);
-        EXPECT_LE(line.k, largest_slope);
+        EXPECT_LE(line.k, max_slope());
     }
 }
 
@@ -106,13 +111,13 @@ TEST(NeymanPearson, ScenesWeighTheSameWhateverTheirSize) {
     many.push_back({0.05, 12, 0});
     const std::vector<LabelledState> states = {small, state_of("large", many)};
     // One in three of `small` outweighs two in 102 of `large`, though it is fewer particles.
-    const auto scenes = count_errors(states, fewest_false_positives(states, 0), 0);
+    const auto scenes = count_errors(states, min_false_positives(states, 0), 0);
     EXPECT_EQ(scenes[0].false_positives, 0U);
     EXPECT_EQ(scenes[1].false_positives, 2U);
     // In one scene the particles count alike.
     auto merged = states;
     merged[1].scene = "small";
-    const auto together = count_errors(merged, fewest_false_positives(merged, 0), 0);
+    const auto together = count_errors(merged, min_false_positives(merged, 0), 0);
     EXPECT_EQ(together[0].false_positives, 1U);
 }
 
@@ -120,7 +125,7 @@ TEST(NeymanPearson, TakesTheMiddleOfTheBestSlopes) {
     // One surface particle at (0.5, 10), one interior one at (0.1, 10): any positive slope that is
     // well above the margin tells them apart.
     const std::vector<LabelledState> states = {state_of("scene", {{0.5, 10, 1}, {0.1, 10, 0}})};
-    const Line line = fewest_false_positives(states, 0);
+    const Line line = min_false_positives(states, 0);
     EXPECT_NEAR(line.k, 10, 0.01); // 45 degrees where both features span about one
     EXPECT_NEAR(line.d, 5, 0.01);
 }
@@ -129,22 +134,22 @@ TEST(NeymanPearson, SeparatesVerticalStacks) {
     const std::vector<LabelledState> states = {state_of(
         "scene",
         {{0.5, 10, 1}, {0.5, 30, 1}, {0.5, 1, 1}, {0.1, 10, 0}, {0.1, 1, 0}, {0.1, 30, 0}})};
-    EXPECT_EQ(outcome(states, fewest_false_positives(states, 0), 0).rate, 0);
+    EXPECT_EQ(outcome(states, min_false_positives(states, 0), 0).rate, 0);
 }
 
 TEST(NeymanPearson, ParticlesWithoutNeighborsDoNotConstrainTheLine) {
     const std::vector<LabelledState> states = {
         state_of("scene", {{0.3, 10, 1}, {0, 0, 1}, {0.1, 12, 0}})};
-    const auto scenes = count_errors(states, fewest_false_positives(states, 0), 0);
+    const auto scenes = count_errors(states, min_false_positives(states, 0), 0);
     EXPECT_EQ(scenes[0].false_negatives, 0U);
     EXPECT_EQ(scenes[0].false_positives, 0U);
 }
 
 TEST(NeymanPearson, NeedsBothClasses) {
-    EXPECT_THROW(fewest_false_positives({state_of("scene", {{0, 0, 1}, {0.1, 12, 0}})}, 0),
+    EXPECT_THROW(min_false_positives({state_of("scene", {{0, 0, 1}, {0.1, 12, 0}})}, 0),
                  InputError);
-    EXPECT_THROW(fewest_false_positives({state_of("scene", {{0.1, 12, 1}})}, 0), InputError);
-    EXPECT_THROW(fewest_false_positives({state_of("scene", {{0.1, 12, 0}})}, 0), InputError);
+    EXPECT_THROW(min_false_positives({state_of("scene", {{0.1, 12, 1}})}, 0), InputError);
+    EXPECT_THROW(min_false_positives({state_of("scene", {{0.1, 12, 0}})}, 0), InputError);
 }
 
 } // namespace

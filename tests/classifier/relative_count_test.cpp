@@ -1,9 +1,9 @@
-#include "classifier/labelled_snapshots.hpp"
-#include "classifier/synthetic_states.hpp"
+#include "labelled_snapshots.hpp"
+#include "synthetic_states.hpp"
 
-#include <meniscus/classifier/classify_snapshot.hpp>
-#include <meniscus/classifier/trainer.hpp>
-#include <meniscus/data/errors.hpp>
+#include <meniscus/classifier/model/classify_snapshot.hpp>
+#include <meniscus/classifier/objectives/trainer.hpp>
+#include <meniscus/data/text/errors.hpp>
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -24,10 +24,10 @@ LabelledState thinned(LabelledState state) {
 
 TEST(RelativeCount, ScalesTheMedianToTheReference) {
     auto state = state_of("a", {{0, 10, 0}, {0, 20, 0}, {0.3, 5, 1}});
-    EXPECT_EQ(state.scaled_count(1), 20);
+    EXPECT_EQ(state.y(1), 20);
     make_relative(state);
-    EXPECT_EQ(state.scaled_count(0), reference_neighbor_count);
-    EXPECT_EQ(state.scaled_count(1), 2 * reference_neighbor_count);
+    EXPECT_EQ(state.y(0), reference_neighbor_count);
+    EXPECT_EQ(state.y(1), 2 * reference_neighbor_count);
 }
 
 TEST(RelativeCount, OneLineServesACompressedAndAThinFluid) {

@@ -1,14 +1,14 @@
-// The headers in runtime/ are what the models in configs/models/ export to.
-#include <meniscus/classifier/header_export.hpp>
-#include <meniscus/classifier/model.hpp>
-#include <meniscus/runtime/relative_surface_coefficients.hpp>
-#include <meniscus/runtime/shipped_curvature_map.hpp>
-#include <meniscus/runtime/shipped_surface_line.hpp>
-#include <meniscus/runtime/strict_surface_coefficients.hpp>
-#include <meniscus/runtime/surface_coefficients.hpp>
-#include <meniscus/runtime/surface_tension.hpp>
-#include <meniscus/runtime/wide_surface_coefficients.hpp>
-#include <meniscus/runtime/wide_surface_coefficients_2d.hpp>
+// The headers in runtime/coefficients/ are what the models in configs/models/ export to.
+#include <meniscus/classifier/export/header_export.hpp>
+#include <meniscus/classifier/model/model.hpp>
+#include <meniscus/runtime/coefficients/surface_2d_wide.hpp>
+#include <meniscus/runtime/coefficients/surface_3d.hpp>
+#include <meniscus/runtime/coefficients/surface_3d_relative.hpp>
+#include <meniscus/runtime/coefficients/surface_3d_strict.hpp>
+#include <meniscus/runtime/coefficients/surface_3d_wide.hpp>
+#include <meniscus/runtime/features/shipped_surface_line.hpp>
+#include <meniscus/runtime/surface/shipped_curvature_map.hpp>
+#include <meniscus/runtime/surface/surface_tension.hpp>
 
 #include <fstream>
 #include <gtest/gtest.h>
@@ -23,23 +23,22 @@ Model shipped(const std::string& name) {
 }
 
 std::string runtime_header(const std::string& name) {
-    std::ifstream stream(std::string(MENISCUS_RUNTIME) + "/" + name + ".hpp", std::ios::binary);
+    std::ifstream stream(std::string(MENISCUS_RUNTIME) + "/coefficients/" + name + ".hpp",
+                         std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 TEST(ShippedModels, HeadersAreExportedFromThem) {
-    EXPECT_EQ(coefficient_header(shipped("surface_3d"), "SurfaceCoefficients"),
-              runtime_header("surface_coefficients"));
-    EXPECT_EQ(coefficient_header(shipped("surface_3d_strict"), "StrictSurfaceCoefficients"),
-              runtime_header("strict_surface_coefficients"));
-    EXPECT_EQ(coefficient_header(shipped("surface_3d_relative"), "RelativeSurfaceCoefficients"),
-              runtime_header("relative_surface_coefficients"));
-    EXPECT_EQ(coefficient_header(shipped("surface_3d_wide"), "WideSurfaceCoefficients"),
-              runtime_header("wide_surface_coefficients"));
-    EXPECT_EQ(coefficient_header(shipped("surface_2d"), "SurfaceCoefficients2D"),
-              runtime_header("surface_coefficients_2d"));
-    EXPECT_EQ(coefficient_header(shipped("surface_2d_wide"), "WideSurfaceCoefficients2D"),
-              runtime_header("wide_surface_coefficients_2d"));
+    EXPECT_EQ(coefficient_header(shipped("surface_3d"), "Surface3D"), runtime_header("surface_3d"));
+    EXPECT_EQ(coefficient_header(shipped("surface_3d_strict"), "Surface3DStrict"),
+              runtime_header("surface_3d_strict"));
+    EXPECT_EQ(coefficient_header(shipped("surface_3d_relative"), "Surface3DRelative"),
+              runtime_header("surface_3d_relative"));
+    EXPECT_EQ(coefficient_header(shipped("surface_3d_wide"), "Surface3DWide"),
+              runtime_header("surface_3d_wide"));
+    EXPECT_EQ(coefficient_header(shipped("surface_2d"), "Surface2D"), runtime_header("surface_2d"));
+    EXPECT_EQ(coefficient_header(shipped("surface_2d_wide"), "Surface2DWide"),
+              runtime_header("surface_2d_wide"));
 }
 
 CurvatureModel shipped_curvature(const std::string& name) {
@@ -47,10 +46,10 @@ CurvatureModel shipped_curvature(const std::string& name) {
 }
 
 TEST(ShippedModels, CurvatureHeadersAreExportedFromThem) {
-    EXPECT_EQ(coefficient_header(shipped_curvature("curvature_3d"), "CurvatureCoefficients"),
-              runtime_header("curvature_coefficients"));
-    EXPECT_EQ(coefficient_header(shipped_curvature("curvature_2d"), "CurvatureCoefficients2D"),
-              runtime_header("curvature_coefficients_2d"));
+    EXPECT_EQ(coefficient_header(shipped_curvature("curvature_3d"), "Curvature3D"),
+              runtime_header("curvature_3d"));
+    EXPECT_EQ(coefficient_header(shipped_curvature("curvature_2d"), "Curvature2D"),
+              runtime_header("curvature_2d"));
 }
 
 TEST(ShippedModels, CurvatureMapsSayWhatTheModelsSay) {
@@ -61,27 +60,27 @@ TEST(ShippedModels, CurvatureMapsSayWhatTheModelsSay) {
         EXPECT_EQ(map.dimension, dimension);
         for (int term = 0; term < CurvatureMap::terms; ++term)
             EXPECT_EQ(map.coefficients[term], model.map.coefficients[term]);
-        EXPECT_EQ(map.least, model.map.least);
-        EXPECT_EQ(map.largest, model.map.largest);
+        EXPECT_EQ(map.min, model.map.min);
+        EXPECT_EQ(map.max, model.map.max);
         EXPECT_TRUE(map.averaged);
     }
 }
 
 TEST(ShippedModels, HeadersSayWhatTheModelsSay) {
-    EXPECT_EQ(shipped("surface_3d").line.k, SurfaceCoefficients::k);
-    EXPECT_EQ(shipped("surface_3d").line.d, SurfaceCoefficients::d);
-    EXPECT_EQ(StrictSurfaceCoefficients::label_threshold, 0);
-    EXPECT_EQ(RelativeSurfaceCoefficients::reference_neighbor_count, 40);
-    EXPECT_EQ(SurfaceCoefficients2D::dimension, 2);
-    EXPECT_EQ(WideSurfaceCoefficients::spacing_ratio_min, 2.5);
+    EXPECT_EQ(shipped("surface_3d").line.k, Surface3D::k);
+    EXPECT_EQ(shipped("surface_3d").line.d, Surface3D::d);
+    EXPECT_EQ(Surface3DStrict::label_threshold, 0);
+    EXPECT_EQ(Surface3DRelative::reference_neighbor_count, 40);
+    EXPECT_EQ(Surface2D::dimension, 2);
+    EXPECT_EQ(Surface3DWide::min_spacing_ratio, 2.5);
 }
 
 template <int Dimension>
 void expect_line_of(const std::string& name) {
     const Line line = shipped(name).line;
-    for (const auto& options : {shipped_options<Dimension>(), paper_options<Dimension>()}) {
-        EXPECT_EQ(options.k, line.k);
-        EXPECT_EQ(options.d, line.d);
+    for (const auto& options : {SurfaceTensionOptions{}, paper_options()}) {
+        EXPECT_EQ(completed(options, Dimension).k, line.k);
+        EXPECT_EQ(completed(options, Dimension).d, line.d);
     }
 }
 

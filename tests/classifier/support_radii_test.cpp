@@ -2,10 +2,10 @@
 #include "data/expected_errors.hpp"
 #include "labeler/droplets.hpp"
 
-#include <meniscus/classifier/audit.hpp>
-#include <meniscus/classifier/classify_snapshot.hpp>
-#include <meniscus/classifier/trainer.hpp>
-#include <meniscus/data/errors.hpp>
+#include <meniscus/classifier/audit/audit.hpp>
+#include <meniscus/classifier/model/classify_snapshot.hpp>
+#include <meniscus/classifier/objectives/trainer.hpp>
+#include <meniscus/data/text/errors.hpp>
 #include <meniscus/labeler/labeler.hpp>
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ TEST_P(ShippedModelsOnDroplets, MissNoWideOpening) {
                 Droplet drop = make(3, 14, spacings_per_radius);
                 shake(shaken, drop);
                 const AuditRow row = audit_of(model, labelled(drop), 0.02);
-                EXPECT_GT(row.surface, 400U);
+                EXPECT_GT(row.surface_particles, 400U);
                 EXPECT_EQ(row.false_negatives, 0U);
                 EXPECT_EQ(row.false_negatives_float, 0U);
                 EXPECT_EQ(row.features_differ, 0U);
@@ -70,7 +70,7 @@ TEST(SupportRadiiOfClasses, FeaturesAreThoseOfTheLabels) {
             model.line = {40, 10};
             const AuditRow row = audit_of(model, snapshot, 0);
             EXPECT_EQ(row.features_differ, 0U);
-            EXPECT_GT(row.surface, 0U);
+            EXPECT_GT(row.surface_particles, 0U);
             // What the line says of the stored features.
             const auto x = scalar_values(snapshot, "mass_offset");
             const auto y = scalar_values(snapshot, "neighbor_count");

@@ -1,7 +1,7 @@
 // Small labelled states for tests: given particle by particle, or drawn at random.
 #pragma once
 
-#include <meniscus/classifier/labelled_state.hpp>
+#include <meniscus/classifier/training_set/labelled_state.hpp>
 
 #include <random>
 #include <string>
@@ -24,7 +24,7 @@ inline LabelledState state_of(const std::string& scene,
     state.radius_ratio = 0.8;
     state.particle_spacing = 0.05;
     for (const LabelledParticle& particle : particles) {
-        state.mass_offset.push_back(particle.mass_offset);
+        state.first.push_back(particle.mass_offset);
         state.neighbor_count.push_back(particle.neighbor_count);
         state.uncovered_fraction.push_back(particle.uncovered_fraction);
     }

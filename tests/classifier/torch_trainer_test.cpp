@@ -1,9 +1,10 @@
-#include "classifier/synthetic_states.hpp"
 #include "data/expected_errors.hpp"
+#include "synthetic_states.hpp"
 
-#include <meniscus/classifier/torch_plugin.hpp>
-#include <meniscus/classifier/trainer.hpp>
-#include <meniscus/data/errors.hpp>
+#include <meniscus/classifier/objectives/scene_errors.hpp>
+#include <meniscus/classifier/objectives/trainer.hpp>
+#include <meniscus/classifier/torch/torch_plugin.hpp>
+#include <meniscus/data/text/errors.hpp>
 
 #include <cmath>
 #include <gtest/gtest.h>

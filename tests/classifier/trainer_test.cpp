@@ -1,9 +1,11 @@
-#include "classifier/synthetic_states.hpp"
 #include "data/expected_errors.hpp"
+#include "synthetic_states.hpp"
 
-#include <meniscus/classifier/trainer.hpp>
-#include <meniscus/data/errors.hpp>
-#include <meniscus/runtime/classifier.hpp>
+#include <meniscus/classifier/objectives/scene_errors.hpp>
+#include <meniscus/classifier/objectives/shift.hpp>
+#include <meniscus/classifier/objectives/trainer.hpp>
+#include <meniscus/data/text/errors.hpp>
+#include <meniscus/runtime/features/classifier.hpp>
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -27,9 +29,9 @@ std::vector<LabelledState> good_states() {
 TEST(Shift, IsTheSmallestThatMissesNoSurfaceParticle) {
     const std::vector<LabelledState> states = {
         state_of("scene", {{0.2, 30, 0.5}, {0.4, 35, 0.5}, {0.0, 40, 0}, {0.9, 0, 1}})};
-    EXPECT_DOUBLE_EQ(smallest_d(states, 0, 100), 10 + d_margin(100));
-    EXPECT_DOUBLE_EQ(smallest_d(states, 0, 10), 31 + d_margin(10));
-    EXPECT_DOUBLE_EQ(smallest_d(states, 0, -10), 39 + d_margin(10));
+    EXPECT_DOUBLE_EQ(min_d(states, 0, 100), 10 + d_margin(100));
+    EXPECT_DOUBLE_EQ(min_d(states, 0, 10), 31 + d_margin(10));
+    EXPECT_DOUBLE_EQ(min_d(states, 0, -10), 39 + d_margin(10));
     Line line = shift_line(states, 0, 100);
     EXPECT_EQ(count_errors(states, line, 0)[0].false_negatives, 0U);
     line.d -= 1.01 * d_margin(100);
@@ -45,8 +47,8 @@ TEST(Shift, LeavesNoFalseNegativeInFloat) {
         const SurfaceLine<float> in_float{static_cast<float>(line.k), static_cast<float>(line.d)};
         for (const LabelledState& state : states)
             for (std::size_t i = 0; i < state.size(); ++i) {
-                const auto x = static_cast<float>(state.mass_offset[i] -
-                                                  4.2e-6 * static_cast<double>(random() % 2));
+                const auto x =
+                    static_cast<float>(state.first[i] - 4.2e-6 * static_cast<double>(random() % 2));
                 const auto y = static_cast<float>(state.neighbor_count[i]);
                 EXPECT_TRUE(state.uncovered_fraction[i] == 0 || y <= in_float.k * x + in_float.d);
             }
@@ -94,7 +96,7 @@ TEST(Train, KeepsTheSlopeOfAnotherModel) {
     options.keep_k->line = {74.6888, 28};
     const Model model = train(good_states(), options);
     EXPECT_EQ(model.line.k, 74.6888);
-    EXPECT_EQ(model.line.d, smallest_d(good_states(), 0, 74.6888));
+    EXPECT_EQ(model.line.d, min_d(good_states(), 0, 74.6888));
     EXPECT_EQ(model.objective, "keep-k");
     EXPECT_EQ(model.false_negatives, 0U);
     options.keep_k->dimension = 2;

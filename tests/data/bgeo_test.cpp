@@ -2,10 +2,9 @@
 // one that SPlisHSPlasH's Partio exporter wrote, with fewer particles (see cut_bgeo.py there).
 #include "test_folder.hpp"
 
-#include <meniscus/data/bgeo.hpp>
-#include <meniscus/data/errors.hpp>
-#include <meniscus/data/legacy_vtk.hpp>
-#include <meniscus/data/snapshot_files.hpp>
+#include <meniscus/data/formats/snapshot_files.hpp>
+#include <meniscus/data/formats/snapshot_formats.hpp>
+#include <meniscus/data/text/errors.hpp>
 
 #include <zlib.h>
 
@@ -41,9 +40,8 @@ std::string attribute(const std::string& name, std::uint16_t size, std::uint32_t
 std::string index_attribute(const std::string& name, const std::vector<std::string>& texts) {
     std::string bytes = named(name) + big_endian(std::uint16_t{1}) + big_endian(index_type) +
                         big_endian(static_cast<std::uint32_t>(texts.size()));
-    for (const std::string& text : texts) {
+    for (const std::string& text : texts)
         bytes += named(text);
-    }
     return bytes;
 }
 
@@ -53,9 +51,8 @@ using Counts = std::array<std::uint32_t, 8>;
 
 std::string header(const Counts& counts, std::uint32_t version = 5) {
     std::string bytes = "BgeoV" + big_endian(version);
-    for (const std::uint32_t count : counts) {
+    for (const std::uint32_t count : counts)
         bytes += big_endian(count);
-    }
     return bytes;
 }
 
@@ -69,14 +66,11 @@ Pieces pieces() {
                   index_attribute("material", {"oil", "water"})};
     for (int i = 0; i < 3; ++i) {
         std::string point;
-        for (const float x :
-             {0.1F * static_cast<float>(i), -2.5F, static_cast<float>(i * i), 1.F}) {
+        for (const float x : {0.1F * static_cast<float>(i), -2.5F, static_cast<float>(i * i), 1.F})
             point += big_endian(x);
-        }
         point += big_endian(std::int32_t{70000 - i});
-        for (const float v : {1.F, -0.5F, static_cast<float>(i)}) {
+        for (const float v : {1.F, -0.5F, static_cast<float>(i)})
             point += big_endian(v);
-        }
         point += big_endian(1000.F + static_cast<float>(i)) + big_endian(std::int32_t{i % 2});
         all.push_back(point);
     }
@@ -88,9 +82,8 @@ Pieces pieces() {
 
 std::string joined(const Pieces& pieces) {
     std::string bytes;
-    for (const std::string& piece : pieces) {
+    for (const std::string& piece : pieces)
         bytes += piece;
-    }
     return bytes;
 }
 
@@ -116,14 +109,14 @@ protected:
 
     std::string error_in(const std::string& bytes) const {
         const fs::path file = write("state.bgeo", bytes);
-        return error_of<InputError>([&] { read_bgeo(file); });
+        return error_of<InputError>([&] { bgeo_format().read(file); });
     }
 
     /// Whatever becomes of the bytes, it is no crash, and every error names the file.
     void expect_read_or_refused(const std::string& bytes) const {
         const fs::path file = write("state.bgeo", bytes);
         try {
-            read_bgeo(file);
+            bgeo_format().read(file);
         } catch (const InputError& error) {
             expect_mentions(error.what(), {"state.bgeo"});
         }
@@ -195,19 +188,16 @@ TEST_F(Bgeo, AMissingEndIsRefusedAndItsSectionNamed) {
 }
 
 TEST_F(Bgeo, CutAnywhereItIsRefused) {
-    for (const std::string& whole : {joined(pieces()), gzip(joined(pieces()))}) {
-        for (std::size_t length = 1; length < whole.size(); ++length) {
+    for (const std::string& whole : {joined(pieces()), gzip(joined(pieces()))})
+        for (std::size_t length = 1; length < whole.size(); ++length)
             EXPECT_THROW(reading(whole.substr(0, length)), InputError) << length;
-        }
-    }
 }
 
 TEST_F(Bgeo, TrailingBytesAreRefused) {
     const std::string whole = joined(pieces());
     for (const std::string& bytes :
-         {whole + '\0', gzip(whole + "x"), gzip(whole) + "x", gzip(whole) + gzip(whole)}) {
+         {whole + '\0', gzip(whole + "x"), gzip(whole) + "x", gzip(whole) + gzip(whole)})
         expect_mentions(error_in(bytes), {"state.bgeo", "section end", "more bytes"});
-    }
 }
 
 TEST_F(Bgeo, FlippedBytesAreReadOrRefused) {
@@ -272,10 +262,10 @@ TEST_F(Bgeo, OtherVersionsAndTypesAreRefused) {
 }
 
 TEST_F(Bgeo, OtherFilesAreNotOurs) {
-    EXPECT_FALSE(is_bgeo(write("text", "no geometry")));
-    EXPECT_FALSE(is_bgeo(write("text.gz", gzip("no geometry"))));
-    EXPECT_FALSE(is_bgeo(write("short", "Bgeo")));
-    EXPECT_FALSE(is_bgeo(write("short.gz", "\x1f\x8b")));
+    EXPECT_FALSE(bgeo_format().detect(write("text", "no geometry")));
+    EXPECT_FALSE(bgeo_format().detect(write("text.gz", gzip("no geometry"))));
+    EXPECT_FALSE(bgeo_format().detect(write("short", "Bgeo")));
+    EXPECT_FALSE(bgeo_format().detect(write("short.gz", "\x1f\x8b")));
     expect_mentions(error_in(gzip("no geometry")), {"header", "BgeoV"});
 }
 
@@ -294,11 +284,11 @@ TEST_F(Bgeo, ReadsTheSample) {
 
 TEST_F(Bgeo, ReadsTheSharedFile) {
     const fs::path shared = fs::path(MENISCUS_SHARED_SNAPSHOTS) / "splishsplash";
-    if (!fs::exists(shared)) {
+    if (!fs::exists(shared))
         GTEST_SKIP() << "no " << shared;
-    }
     const Snapshot partio = read_snapshot(shared / "cube_iisph_partio.bgeo");
-    const Snapshot vtk = read_legacy_vtk(shared / "cube_iisph_05.vtk"); // the scene, later on
+    const Snapshot vtk =
+        legacy_vtk_format().read(shared / "cube_iisph_05.vtk"); // the scene, later on
     ASSERT_EQ(partio.size(), vtk.size());
     auto partio_ids = scalar_values(partio, "id");
     auto vtk_ids = scalar_values(vtk, "id");

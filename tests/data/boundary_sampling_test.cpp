@@ -1,9 +1,9 @@
-#include <meniscus/data/boundary_sampling.hpp>
+#include <meniscus/data/particles/boundary_sampling.hpp>
 
 #include "test_folder.hpp"
 
-#include <meniscus/data/errors.hpp>
-#include <meniscus/data/neighbor_search.hpp>
+#include <meniscus/data/particles/neighbor_search.hpp>
+#include <meniscus/data/text/errors.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -21,31 +21,31 @@ double distance(const Place& a, const Place& b) {
     return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-double smallest_distance(const Positions& places, double reach) {
+double min_distance(const Positions& places, double reach) {
     const NeighborGrid grid(places, reach);
-    double smallest = reach;
+    double min = reach;
     FoundNeighbors found;
     for (std::size_t at = 0; at < grid.size(); ++at) {
         grid.find(at, found);
         for (const Place& displacement : found.displacements)
-            smallest = std::min(smallest, distance(displacement, {}));
+            min = std::min(min, distance(displacement, {}));
     }
-    return smallest;
+    return min;
 }
 
 /// The largest distance of one of the places from the samples nearest to it; at most `reach`.
-double largest_hole(const Positions& samples, const Positions& places, double reach) {
+double max_hole(const Positions& samples, const Positions& places, double reach) {
     const NeighborGrid grid(samples, reach);
-    double largest = 0;
+    double max = 0;
     FoundNeighbors found;
     for (const Place& place : places) {
         grid.find_around(place, reach, found);
         double nearest = reach;
         for (const Place& displacement : found.displacements)
             nearest = std::min(nearest, distance(displacement, {}));
-        largest = std::max(largest, nearest);
+        max = std::max(max, nearest);
     }
-    return largest;
+    return max;
 }
 
 Positions random_places_on(const TriangleMesh& mesh, int each, unsigned seed) {
@@ -71,8 +71,8 @@ Positions random_places_on(const TriangleMesh& mesh, int each, unsigned seed) {
 
 void expect_well_sampled(const TriangleMesh& mesh, double spacing, int places_each) {
     const Positions samples = sample_mesh(mesh, spacing);
-    EXPECT_GE(smallest_distance(samples, spacing), 0.75 * spacing);
-    EXPECT_LT(largest_hole(samples, random_places_on(mesh, places_each, 1), 2 * spacing), spacing);
+    EXPECT_GE(min_distance(samples, spacing), 0.75 * spacing);
+    EXPECT_LT(max_hole(samples, random_places_on(mesh, places_each, 1), 2 * spacing), spacing);
     EXPECT_EQ(samples, sample_mesh(mesh, spacing));
 }
 
@@ -105,7 +105,7 @@ TEST(BoundarySampling, BoxHasEachPointOnceOnItsSides) {
         }
         EXPECT_TRUE(on_side);
     }
-    EXPECT_NEAR(smallest_distance(points, 0.1), 0.31 / 4, 1e-12);
+    EXPECT_NEAR(min_distance(points, 0.1), 0.31 / 4, 1e-12);
 }
 
 TEST(BoundarySampling, BoxLeavesOpenSidesOut) {
@@ -168,8 +168,8 @@ TEST(BoundarySampling, EllipsoidHasNoHolesAndLiesOnItself) {
                               center[1] + axes[1] * p[1] / length,
                               center[2] + axes[2] * p[2] / length});
         }
-        EXPECT_LT(largest_hole(samples, places, 3 * spacing), spacing);
-        EXPECT_GE(smallest_distance(samples, spacing), 0.75 * spacing * (1 - 1e-12));
+        EXPECT_LT(max_hole(samples, places, 3 * spacing), spacing);
+        EXPECT_GE(min_distance(samples, spacing), 0.75 * spacing * (1 - 1e-12));
     }
 }
 
@@ -187,11 +187,11 @@ TEST(BoundarySampling, CircleIsEven) {
 TEST(BoundarySampling, EllipseHasNoHolesNorClusters) {
     for (const Place& axes : {Place{2, 0.5, 0}, Place{2, 0.05, 0}, Place{0.05, 0.05, 0}}) {
         const Positions samples = sample_ellipsoid({}, axes, 0.1, 2);
-        EXPECT_GE(smallest_distance(samples, 0.1), 0.05 * (1 - 1e-12));
+        EXPECT_GE(min_distance(samples, 0.1), 0.05 * (1 - 1e-12));
         Positions places;
         for (int k = 0; k < 5000; ++k)
             places.push_back({axes[0] * std::cos(k), axes[1] * std::sin(k), 0});
-        EXPECT_LT(largest_hole(samples, places, 0.3), 0.1);
+        EXPECT_LT(max_hole(samples, places, 0.3), 0.1);
         for (const Place& sample : samples)
             EXPECT_NEAR(std::hypot(sample[0] / axes[0], sample[1] / axes[1]), 1, 1e-12);
     }

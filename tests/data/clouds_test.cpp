@@ -1,11 +1,11 @@
-#include <meniscus/data/clouds.hpp>
+#include <meniscus/data/clouds/clouds.hpp>
 
 #include "expected_errors.hpp"
 
-#include <meniscus/data/errors.hpp>
-#include <meniscus/data/neighbor_search.hpp>
-#include <meniscus/data/snapshot_files.hpp>
-#include <meniscus/runtime/angles.hpp>
+#include <meniscus/data/formats/snapshot_files.hpp>
+#include <meniscus/data/particles/neighbor_search.hpp>
+#include <meniscus/data/text/errors.hpp>
+#include <meniscus/runtime/math/angles.hpp>
 
 #include <algorithm>
 #include <cmath>

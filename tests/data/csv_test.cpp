@@ -1,8 +1,8 @@
 #include "test_folder.hpp"
 
-#include <meniscus/data/csv.hpp>
-#include <meniscus/data/errors.hpp>
-#include <meniscus/data/snapshot_files.hpp>
+#include <meniscus/data/formats/snapshot_files.hpp>
+#include <meniscus/data/formats/snapshot_formats.hpp>
+#include <meniscus/data/text/errors.hpp>
 
 #include <clocale>
 #include <cmath>
@@ -22,7 +22,7 @@ protected:
 
     std::string message(std::string_view bytes) const {
         const fs::path file = write("state.csv", bytes);
-        std::string text = error_of<InputError>([&] { read_csv(file); });
+        std::string text = error_of<InputError>([&] { csv_format().read(file); });
         expect_mentions(text, {"state.csv: line "});
         return text;
     }
@@ -30,9 +30,8 @@ protected:
 
 std::vector<std::string> names(const Snapshot& snapshot) {
     std::vector<std::string> all;
-    for (const PointArray& array : snapshot.point_data) {
+    for (const PointArray& array : snapshot.point_data)
         all.push_back(array.name);
-    }
     return all;
 }
 
@@ -149,9 +148,8 @@ TEST_F(Csv, PositionsAreFoundUnderTheirNames) {
         {"x (m),y (m),rho (kg/m3)", {1, 2, 0}},
         {"Z [m],X [m],Vel.x [m/s]", {2, 1, 0}},
     };
-    for (const auto& [header, position] : headers) {
+    for (const auto& [header, position] : headers)
         EXPECT_EQ(read(header + std::string("\n1,2,3\n")).positions, Positions{position}) << header;
-    }
 }
 
 TEST_F(Csv, PointsWinOverOtherColumnsOfPositions) {
@@ -229,11 +227,11 @@ TEST_F(Csv, OtherTextsAreNoCsv) {
     for (const char* text :
          {"x\n1\n", "x y z\n1 2 3\n", "a,b,c\n1,2,3\n", "0,1,2\n0.5,1.5,2.5\n", "x,density\n1,2\n",
           "{\"x\": 1, \"y\": 2}\n", "Points x, y and z\n", "\"x,y\n1,2\n", "\n\n\n"}) {
-        EXPECT_FALSE(is_csv(write("text", text))) << text;
+        EXPECT_FALSE(csv_format().detect(write("text", text))) << text;
         expect_mentions(error_of<InputError>([&] { read(text); }), {"CSV with columns x, y"});
     }
-    EXPECT_TRUE(is_csv(write("text", std::string(19, '\n') + "x,y\n")));
-    EXPECT_FALSE(is_csv(write("text", std::string(20, '\n') + "x,y\n")));
+    EXPECT_TRUE(csv_format().detect(write("text", std::string(19, '\n') + "x,y\n")));
+    EXPECT_FALSE(csv_format().detect(write("text", std::string(20, '\n') + "x,y\n")));
 }
 
 TEST_F(Csv, TruncationIsNoticedWithinEveryLine) {
@@ -247,7 +245,8 @@ TEST_F(Csv, TruncationIsNoticedWithinEveryLine) {
             EXPECT_EQ(read_snapshot(file).size(), read_as_whole++);
         } else {
             expect_mentions(error_of<InputError>([&] { read_snapshot(file); }), {"state.csv"});
-            expect_mentions(error_of<InputError>([&] { read_csv(file); }), {"state.csv: line "});
+            expect_mentions(error_of<InputError>([&] { csv_format().read(file); }),
+                            {"state.csv: line "});
         }
     }
     EXPECT_EQ(read_as_whole, 3U);

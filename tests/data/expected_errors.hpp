@@ -23,9 +23,8 @@ std::string error_of(Action action) {
 }
 
 inline void expect_mentions(const std::string& message, std::initializer_list<const char*> parts) {
-    for (const char* part : parts) {
+    for (const char* part : parts)
         EXPECT_NE(message.find(part), std::string::npos) << "no '" << part << "' in: " << message;
-    }
 }
 
 } // namespace meniscus

@@ -3,8 +3,8 @@
 
 #include "test_folder.hpp"
 
-#include <meniscus/data/errors.hpp>
-#include <meniscus/data/snapshot_files.hpp>
+#include <meniscus/data/formats/snapshot_files.hpp>
+#include <meniscus/data/text/errors.hpp>
 
 #include <hdf5.h>
 
@@ -36,17 +36,15 @@ protected:
     void replace(const char* path, hid_t type, std::vector<hsize_t> dimensions,
                  std::vector<Number> values) const {
         edit([&](hid_t opened) {
-            if (H5Lexists(opened, path, H5P_DEFAULT) > 0) {
+            if (H5Lexists(opened, path, H5P_DEFAULT) > 0)
                 H5Ldelete(opened, path, H5P_DEFAULT);
-            }
             const hid_t space =
                 H5Screate_simple(static_cast<int>(dimensions.size()), dimensions.data(), nullptr);
             const hid_t dataset =
                 H5Dcreate2(opened, path, type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
             ASSERT_GE(dataset, 0);
-            if (!values.empty()) {
+            if (!values.empty())
                 H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
-            }
             H5Dclose(dataset);
             H5Sclose(space);
         });

@@ -1,9 +1,9 @@
 // What a reader may do wrong in its process, done on purpose.
 #include "hdf5_folder.hpp"
 
-#include <meniscus/data/errors.hpp>
-#include <meniscus/data/isolated_read.hpp>
-#include <meniscus/data/vtkhdf.hpp>
+#include <meniscus/data/formats/vtkhdf.hpp>
+#include <meniscus/data/hdf5/isolated_read.hpp>
+#include <meniscus/data/text/errors.hpp>
 
 #include <cmath>
 #include <csignal>
@@ -65,9 +65,8 @@ Snapshot everything(const fs::path& /*file*/) {
 /// More than a pipe holds, and than arrives at once.
 Snapshot many(const fs::path& /*file*/) {
     Snapshot snapshot;
-    for (int i = 0; i < 700'000; ++i) {
+    for (int i = 0; i < 700'000; ++i)
         snapshot.positions.push_back({1.0 * i, 0.5 * i, -1.0 * i});
-    }
     snapshot.boundary = snapshot.positions;
     return snapshot;
 }
@@ -180,22 +179,19 @@ TEST(IsolatedRead, EndlessWorkIsDamage) {
 }
 
 TEST(IsolatedRead, EndlessMemoryIsDamage) {
-    if (!has_memory_limit) {
+    if (!has_memory_limit)
         GTEST_SKIP() << "memory is not limited under AddressSanitizer";
-    }
     expect_mentions(input_error([](const fs::path&) -> Snapshot {
                         Snapshot snapshot;
-                        for (;;) {
+                        for (;;)
                             snapshot.positions.push_back({1, 2, 3});
-                        }
                     }),
                     {"some/state.hdf5: damaged", "64 MiB of memory"});
 }
 
 TEST(IsolatedRead, WantOfMemoryThatIsNotTheFilesIsAFailure) {
-    if (!has_memory_limit) {
+    if (!has_memory_limit)
         GTEST_SKIP() << "memory is not limited under AddressSanitizer";
-    }
     const ReadLimits beyond_any_machine = {std::uint64_t{1} << 50, 60};
     expect_mentions(error_of<FailureError>([&] {
                         read_isolated(
@@ -207,9 +203,8 @@ TEST(IsolatedRead, WantOfMemoryThatIsNotTheFilesIsAFailure) {
 
 TEST(IsolatedRead, InterruptsAreTheParentsToAnswer) {
     const Snapshot found = read_isolated(file, [](const fs::path& given) {
-        for (const int interrupt : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
+        for (const int interrupt : {SIGINT, SIGTERM, SIGHUP, SIGQUIT})
             std::raise(interrupt); // as the terminal sends it to parent and child
-        }
         return everything(given);
     });
     EXPECT_EQ(found.size(), 2U);
@@ -257,9 +252,8 @@ TEST(IsolatedRead, WhatIsInconsistentIsDamage) {
                                 Snapshot snapshot = everything(file);
                                 snapshot.point_data[1].name = snapshot.point_data[0].name;
                                 return snapshot;
-                            }}) {
+                            }})
         expect_mentions(input_error(read), {"some/state.hdf5: damaged"});
-    }
 }
 
 TEST(IsolatedRead, PrintsNothing) {
@@ -297,9 +291,8 @@ TEST(IsolatedRead, TheParentsWaysWithSignalsStay) {
     read_isolated(file, everything);
     EXPECT_EQ(std::signal(SIGUSR1, SIG_DFL), SIG_IGN);
     pthread_sigmask(SIG_SETMASK, nullptr, &after);
-    for (int signal = 1; signal < SIGRTMIN; ++signal) {
+    for (int signal = 1; signal < SIGRTMIN; ++signal)
         EXPECT_EQ(sigismember(&before, signal), sigismember(&after, signal)) << signal;
-    }
 }
 
 TEST(IsolatedRead, ASystemThatKeepsNoStatusWillDo) {
@@ -338,9 +331,8 @@ TEST(IsolatedRead, TheChildEndsWithItsParent) {
     const pid_t parent = fork();
     if (parent == 0) {
         read_isolated(file, [](const fs::path&) -> Snapshot {
-            for (;;) {
+            for (;;)
                 pause(); // with the pipe's end open
-            }
         });
         _exit(0);
     }
@@ -357,12 +349,10 @@ TEST(IsolatedRead, SeveralThreadsMayRead) {
     std::vector<std::size_t> sizes(8);
     std::vector<std::thread> readers;
     readers.reserve(sizes.size());
-    for (std::size_t& size : sizes) {
+    for (std::size_t& size : sizes)
         readers.emplace_back([&] { size = read_isolated(file, everything).size(); });
-    }
-    for (std::thread& reader : readers) {
+    for (std::thread& reader : readers)
         reader.join();
-    }
     EXPECT_EQ(sizes, std::vector<std::size_t>(8, 2));
 }
 

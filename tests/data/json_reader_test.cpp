@@ -1,8 +1,8 @@
-#include <meniscus/data/json_reader.hpp>
+#include <meniscus/data/json/json_reader.hpp>
 
 #include "expected_errors.hpp"
 
-#include <meniscus/data/errors.hpp>
+#include <meniscus/data/text/errors.hpp>
 
 #include <gtest/gtest.h>
 

@@ -3,10 +3,10 @@
 #include "test_folder.hpp"
 #include "vtk_bytes.hpp"
 
-#include <meniscus/data/errors.hpp>
-#include <meniscus/data/legacy_vtk.hpp>
-#include <meniscus/data/snapshot_files.hpp>
-#include <meniscus/data/text.hpp>
+#include <meniscus/data/formats/snapshot_files.hpp>
+#include <meniscus/data/formats/snapshot_formats.hpp>
+#include <meniscus/data/text/errors.hpp>
+#include <meniscus/data/text/text.hpp>
 
 #include <cmath>
 #include <limits>
@@ -70,9 +70,8 @@ Cloud cloud() {
 
 template <class Number>
 std::string numbers(const std::vector<Number>& values, bool binary) {
-    if (binary) {
+    if (binary)
         return big_endian(values) + "\n";
-    }
     std::string text;
     for (std::size_t i = 0; i < values.size(); ++i) {
         text += number_text(static_cast<double>(values[i]));
@@ -108,9 +107,8 @@ std::string vtk_file(const Cloud& cloud, bool binary, bool polydata, int version
                        (polydata ? "POLYDATA" : "UNSTRUCTURED_GRID") + "\nPOINTS " + n +
                        " double\n" + numbers(cloud.coordinates, binary);
     file += cells_of(count, polydata ? "VERTICES" : "CELLS", binary, version);
-    if (!polydata) {
+    if (!polydata)
         file += "CELL_TYPES " + n + "\n" + numbers(std::vector<std::int32_t>(count, 1), binary);
-    }
     return file + "POINT_DATA " + n + "\nVECTORS velocity double\n" +
            numbers(cloud.velocities, binary) + "SCALARS id long 1\nLOOKUP_TABLE default\n" +
            numbers(cloud.ids, binary);
@@ -119,13 +117,11 @@ std::string vtk_file(const Cloud& cloud, bool binary, bool polydata, int version
 std::string csv_file(const Cloud& cloud) {
     std::string file = "x,y,z,id,vx,vy,vz\n";
     for (std::size_t i = 0; i < cloud.ids.size(); ++i) {
-        for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (std::size_t axis = 0; axis < 3; ++axis)
             file += number_text(cloud.coordinates[3 * i + axis]) + ",";
-        }
         file += std::to_string(cloud.ids[i]);
-        for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (std::size_t axis = 0; axis < 3; ++axis)
             file += "," + number_text(cloud.velocities[3 * i + axis]);
-        }
         file += "\n";
     }
     return file;
@@ -135,21 +131,17 @@ TEST_F(LegacyVtkAscii, OneCloudReadsTheSameFromEveryEncodingAndKind) {
     const Cloud cloud = meniscus::cloud();
     std::vector<std::string> files{csv_file(cloud)};
     for (const bool binary : {false, true}) {
-        for (const bool polydata : {false, true}) {
-            for (const int version : {2, 3, 4, 5}) {
+        for (const bool polydata : {false, true})
+            for (const int version : {2, 3, 4, 5})
                 files.push_back(vtk_file(cloud, binary, polydata, version));
-            }
-        }
     }
     EXPECT_EQ(std::set<std::string>(files.begin(), files.end()).size(), 17U);
     for (const std::string& file : files) {
         const Snapshot snapshot = read(file);
         ASSERT_EQ(snapshot.size(), cloud.ids.size()) << file;
-        for (std::size_t i = 0; i < snapshot.size(); ++i) {
-            for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (std::size_t i = 0; i < snapshot.size(); ++i)
+            for (std::size_t axis = 0; axis < 3; ++axis)
                 ASSERT_EQ(snapshot.positions[i][axis], cloud.coordinates[3 * i + axis]) << file;
-            }
-        }
         ASSERT_EQ(snapshot.point_data.size(), 2U) << file;
         EXPECT_EQ(find_array(snapshot, "id")->values, ArrayValues(cloud.ids)) << file;
         EXPECT_EQ(find_array(snapshot, "velocity")->values, ArrayValues(cloud.velocities)) << file;
@@ -169,9 +161,8 @@ TEST_F(LegacyVtkAscii, ReadsWhatIsWrittenByHand) {
     EXPECT_EQ(find_array(snapshot, "density")->values, ArrayValues(std::vector<float>{1000, 999}));
 
     std::string with_tabs_and_returns;
-    for (const char c : whole_file()) {
+    for (const char c : whole_file())
         with_tabs_and_returns += c == '\n' ? "\r\n" : std::string(1, c == ' ' ? '\t' : c);
-    }
     // The first line is told by its bytes.
     with_tabs_and_returns.replace(0, preamble().find('3'), preamble(), 0, preamble().find('3'));
     EXPECT_EQ(read(with_tabs_and_returns).positions, snapshot.positions);
@@ -214,9 +205,8 @@ TEST_F(LegacyVtkAscii, ReadsEveryNumberType) {
 TEST_F(LegacyVtkAscii, ReadsNonFiniteNumbers) {
     const Snapshot snapshot =
         read(preamble("POLYDATA") + "POINTS 2 double\nNaN -nan nan\nINF -Infinity +inf\n");
-    for (const double coordinate : snapshot.positions[0]) {
+    for (const double coordinate : snapshot.positions[0])
         EXPECT_TRUE(std::isnan(coordinate));
-    }
     constexpr double infinity = std::numeric_limits<double>::infinity();
     EXPECT_EQ(snapshot.positions[1], (std::array<double, 3>{infinity, -infinity, infinity}));
 }
@@ -303,9 +293,8 @@ TEST_F(LegacyVtkAscii, TruncationIsNoticedWithinEverySection) {
     // Where a section ends and nothing says that another one should follow, the file is well
     // formed: after the cells and after each array of point data.
     std::set<std::size_t> well_formed{whole.size()};
-    for (const char* next : {"POINT_DATA", "VECTORS", "FIELD"}) {
+    for (const char* next : {"POINT_DATA", "VECTORS", "FIELD"})
         well_formed.insert(whole.find(next));
-    }
     for (std::size_t length = 1; length <= whole.size(); ++length) {
         const std::string cut = whole.substr(0, length);
         if (well_formed.count(length) > 0) {
@@ -314,9 +303,8 @@ TEST_F(LegacyVtkAscii, TruncationIsNoticedWithinEverySection) {
         }
         const std::string text = message(cut);
         expect_mentions(text, {"state.vtk"});
-        if (length > (preamble() + points()).size()) {
+        if (length > (preamble() + points()).size())
             expect_mentions(text, {"section", "2 particles"});
-        }
     }
 }
 
@@ -345,9 +333,8 @@ TEST_F(LegacyVtkAscii, LyingHeadersTakeNoMemory) {
 
 TEST_F(LegacyVtkAscii, ManyEmptyArraysEndSoon) {
     std::string file = preamble("POLYDATA") + "POINTS 0 float\nPOINT_DATA 0\nFIELD f 100000\n";
-    for (int i = 0; i < 100'000; ++i) {
+    for (int i = 0; i < 100'000; ++i)
         file += "a" + std::to_string(i) + " 1 0 int\n";
-    }
     EXPECT_EQ(read(file).point_data.size(), 100'000U);
     expect_mentions(message(file + "FIELD g 1\na5 1 0 int\n"), {"'a5'", "second time"});
 }
@@ -356,7 +343,7 @@ TEST_F(LegacyVtkAscii, TextsNamedVtkAreNoSnapshots) {
     expect_mentions(message("# dam break, frame 4\n0.5 1 2\n"), {"state.vtk", "legacy VTK"});
     const fs::path misspelt =
         write("state.vtk", "# vtk DaFile Version 3.0\nt\nASCII\nDATASET POLYDATA\n" + points());
-    expect_mentions(error_of<InputError>([&] { read_legacy_vtk(misspelt); }),
+    expect_mentions(error_of<InputError>([&] { legacy_vtk_format().read(misspelt); }),
                     {"section header", "DataFile", "DaFile"});
     expect_mentions(message("# vtk DataFile Version 3.0\nand nothing else\n"),
                     {"state.vtk", "section header", "ASCII or BINARY", "truncated"});

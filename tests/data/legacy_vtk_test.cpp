@@ -1,9 +1,9 @@
 #include "test_folder.hpp"
 #include "vtk_bytes.hpp"
 
-#include <meniscus/data/errors.hpp>
-#include <meniscus/data/legacy_vtk.hpp>
-#include <meniscus/data/snapshot_files.hpp>
+#include <meniscus/data/formats/snapshot_files.hpp>
+#include <meniscus/data/formats/snapshot_formats.hpp>
+#include <meniscus/data/text/errors.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -74,14 +74,12 @@ TEST_F(LegacyVtk, ReadsEveryNumberType) {
         big_endian<std::int32_t>({-1, 2}) + "\nm 1 2 float\n" + big_endian<float>({-1, 2}) +
         "\nn 1 2 double\n" + big_endian<double>({-1, 2}) + "\n";
     const Snapshot snapshot =
-        read_legacy_vtk(write("state.vtk", preamble() + points() + cells() + data));
+        legacy_vtk_format().read(write("state.vtk", preamble() + points() + cells() + data));
     EXPECT_EQ(scalar_values(snapshot, "a"), (std::vector<double>{0, 1}));
-    for (const char* name : {"b", "d", "f", "h", "j", "l", "m", "n"}) {
+    for (const char* name : {"b", "d", "f", "h", "j", "l", "m", "n"})
         EXPECT_EQ(scalar_values(snapshot, name), (std::vector<double>{-1, 2})) << name;
-    }
-    for (const char* name : {"c", "e", "g", "i", "k"}) {
+    for (const char* name : {"c", "e", "g", "i", "k"})
         EXPECT_EQ(scalar_values(snapshot, name), (std::vector<double>{1, 2})) << name;
-    }
     EXPECT_TRUE(
         std::holds_alternative<std::vector<std::uint64_t>>(find_array(snapshot, "k")->values));
 }
@@ -101,7 +99,7 @@ TEST_F(LegacyVtk, ReadsWhatVtkItselfWrites) {
         "POINT_DATA 2\nVECTORS flow%20speed float\n" + big_endian<float>({1, 2, 3, 4, 5, 6}) +
         "\nMETADATA\nCOMPONENT_NAMES\nx\ny\nz\n\nNORMALS n float\n" +
         big_endian<float>({0, 0, 1, 0, 0, 1}) + "\n";
-    const Snapshot snapshot = read_legacy_vtk(write("state.vtk", file));
+    const Snapshot snapshot = legacy_vtk_format().read(write("state.vtk", file));
     EXPECT_EQ(snapshot.positions, (Positions{{1, 2, 0}, {3, 4, 0}}));
     EXPECT_EQ(snapshot.position_precision, Precision::float64);
     EXPECT_EQ(snapshot.dimension, 2);
@@ -114,16 +112,18 @@ TEST_F(LegacyVtk, ToleratesWhitespaceAndLetterCase) {
     const std::string file = "# vtk DataFile Version 3.0\r\ntitle\r\nbinary\r\n\r\n"
                              "dataset  unstructured_grid\r\n\r\nPoints 2  FLOAT \r\n" +
                              big_endian<float>({0.5F, 1, 2, 3, 4, 5}) + cells() + "\n \n" + ids();
-    const Snapshot snapshot = read_legacy_vtk(write("state.vtk", file));
+    const Snapshot snapshot = legacy_vtk_format().read(write("state.vtk", file));
     EXPECT_EQ(snapshot.positions, (Positions{{0.5, 1, 2}, {3, 4, 5}}));
     EXPECT_NE(find_array(snapshot, "id"), nullptr);
 }
 
 TEST_F(LegacyVtk, ReadsParticlesWithoutDataAndNoParticles) {
-    EXPECT_EQ(read_legacy_vtk(write("bare.vtk", preamble() + points() + cells())).size(), 2U);
+    EXPECT_EQ(legacy_vtk_format().read(write("bare.vtk", preamble() + points() + cells())).size(),
+              2U);
     const std::string none = "POINTS 0 float\n\nCELLS 0 0\n\nCELL_TYPES 0\n\nPOINT_DATA 0\n";
-    EXPECT_EQ(read_legacy_vtk(write("none.vtk", preamble() + none)).size(), 0U);
-    EXPECT_EQ(read_legacy_vtk(write("none.vtk", preamble() + "POINTS 0 float\n")).size(), 0U);
+    EXPECT_EQ(legacy_vtk_format().read(write("none.vtk", preamble() + none)).size(), 0U);
+    EXPECT_EQ(legacy_vtk_format().read(write("none.vtk", preamble() + "POINTS 0 float\n")).size(),
+              0U);
 }
 
 TEST_F(LegacyVtk, RefusesWhatIsNotSupportedByName) {
@@ -151,15 +151,13 @@ TEST_F(LegacyVtk, TruncationIsNoticedWithinEverySection) {
     const std::size_t ids_end = cells_end + ids().size();
     for (std::size_t length = 1; length + 1 < whole.size(); ++length) {
         if (length == cells_end || length + 1 == cells_end || length == ids_end ||
-            length + 1 == ids_end) {
+            length + 1 == ids_end)
             continue;
-        }
         const fs::path file = write("state.vtk", std::string_view(whole).substr(0, length));
         const std::string message = error_of<InputError>([&] { read_snapshot(file); });
         expect_mentions(message, {"state.vtk"});
-        if (length > (preamble() + points()).size()) {
+        if (length > (preamble() + points()).size())
             expect_mentions(message, {"section", "2 particles"});
-        }
     }
 }
 
@@ -168,7 +166,7 @@ TEST_F(LegacyVtk, TruncationNamesTheSection) {
     const auto message_without = [&](const std::string& rest) {
         const std::size_t end = whole.find(rest);
         const fs::path file = write("state.vtk", std::string_view(whole).substr(0, end));
-        return error_of<InputError>([&] { read_legacy_vtk(file); });
+        return error_of<InputError>([&] { legacy_vtk_format().read(file); });
     };
     expect_mentions(message_without("POINTS"), {"section POINTS"});
     expect_mentions(message_without("\nCELLS"), {"section CELLS", "2 particles"});
@@ -181,7 +179,7 @@ TEST_F(LegacyVtk, TruncationNamesTheSection) {
 
 TEST_F(LegacyVtk, LyingHeadersTakeNoMemory) {
     const auto message = [this](const std::string& bytes) {
-        return error_of<InputError>([&] { read_legacy_vtk(write("state.vtk", bytes)); });
+        return error_of<InputError>([&] { legacy_vtk_format().read(write("state.vtk", bytes)); });
     };
     for (const char* count : {"1000000000000000000", "18446744073709551615", "6148914691236517206",
                               "99999999999999999999", "-2", "2x", "two"}) {
@@ -207,7 +205,7 @@ TEST_F(LegacyVtk, LyingHeadersTakeNoMemory) {
 TEST_F(LegacyVtk, WrongArraysAreNamed) {
     const auto message = [this](const std::string& data) {
         const std::string bytes = preamble() + points() + cells() + data;
-        return error_of<InputError>([&] { read_legacy_vtk(write("state.vtk", bytes)); });
+        return error_of<InputError>([&] { legacy_vtk_format().read(write("state.vtk", bytes)); });
     };
     expect_mentions(message(ids() + "FIELD f 1\nid 1 2 float\n12345678\n"),
                     {"'id'", "second time"});
@@ -223,9 +221,8 @@ TEST_F(LegacyVtk, WrongArraysAreNamed) {
 class SharedSnapshots : public ::testing::Test {
 protected:
     void SetUp() override {
-        if (!fs::exists(folder)) {
+        if (!fs::exists(folder))
             GTEST_SKIP() << "no snapshots of real solvers at " << folder;
-        }
     }
 
     static std::ptrdiff_t invalid(const Snapshot& snapshot) {
@@ -244,16 +241,13 @@ TEST_F(SharedSnapshots, HaveTheirParticlesAndArrays) {
     EXPECT_EQ(invalid(snapshot), 0);
     std::vector<double> ids = scalar_values(snapshot, "id");
     std::sort(ids.begin(), ids.end());
-    for (std::size_t i = 0; i < ids.size(); ++i) {
+    for (std::size_t i = 0; i < ids.size(); ++i)
         ASSERT_EQ(ids[i], static_cast<double>(i));
-    }
-    for (const double density : scalar_values(snapshot, "density")) {
+    for (const double density : scalar_values(snapshot, "density"))
         ASSERT_TRUE(density > 100 && density < 2000) << density;
-    }
     EXPECT_EQ(find_array(snapshot, "velocity")->components, 3);
-    for (const double surface : scalar_values(snapshot, "Surf.Class_(SurfZR20)")) {
+    for (const double surface : scalar_values(snapshot, "Surf.Class_(SurfZR20)"))
         ASSERT_TRUE(surface == 0 || surface == 0.5 || surface == 1);
-    }
     EXPECT_NE(find_array(snapshot, "Curv.Final_(SurfZR20)"), nullptr);
 }
 

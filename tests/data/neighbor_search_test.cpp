@@ -1,9 +1,9 @@
-#include <meniscus/data/neighbor_search.hpp>
+#include <meniscus/data/particles/neighbor_search.hpp>
 
 #include "expected_errors.hpp"
 
-#include <meniscus/data/errors.hpp>
-#include <meniscus/data/text.hpp>
+#include <meniscus/data/text/errors.hpp>
+#include <meniscus/data/text/text.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -59,12 +59,12 @@ void expect_same_as_all_pairs(const Positions& positions, const SupportRadii& ra
 }
 
 /// From `smallest` to `range` times that, as many in each factor of two.
-std::vector<double> random_radii(std::size_t count, double smallest, double range, unsigned seed) {
+std::vector<double> random_radii(std::size_t count, double min, double range, unsigned seed) {
     std::mt19937 generator(seed);
     std::uniform_real_distribution<double> power(0, std::log(range));
     std::vector<double> radii(count);
     for (double& radius : radii)
-        radius = smallest * std::exp(power(generator));
+        radius = min * std::exp(power(generator));
     return radii;
 }
 

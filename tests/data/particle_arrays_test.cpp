@@ -1,7 +1,7 @@
 #include "expected_errors.hpp"
 
-#include <meniscus/data/errors.hpp>
-#include <meniscus/data/particle_arrays.hpp>
+#include <meniscus/data/particles/particle_arrays.hpp>
+#include <meniscus/data/text/errors.hpp>
 
 #include <gtest/gtest.h>
 
@@ -72,13 +72,13 @@ TEST(ParticleArrays, SupportRadiiAreOneForAllWhereTheyCanBe) {
     const SupportRadii varying = support_radii(snapshot);
     EXPECT_TRUE(varying.vary());
     EXPECT_EQ(varying.each, (std::vector<double>{0.5, 0.5, 0.25}));
-    EXPECT_EQ(varying.smallest, 0.25);
-    EXPECT_EQ(varying.largest, 0.5);
+    EXPECT_EQ(varying.min, 0.25);
+    EXPECT_EQ(varying.max, 0.5);
     snapshot.positions[2][1] = nan; // whose radius does not matter
     EXPECT_FALSE(support_radii(snapshot).vary());
-    EXPECT_EQ(support_radii(snapshot).largest, 0.5);
+    EXPECT_EQ(support_radii(snapshot).max, 0.5);
     snapshot.support_radius = 0.125; // stored for all
-    EXPECT_EQ(support_radii(snapshot).largest, 0.125);
+    EXPECT_EQ(support_radii(snapshot).max, 0.125);
     for (const double bad : {nan, -1.0}) // told apart from the others, for the search to refuse
         EXPECT_TRUE(
             support_radii(three_particles("support_radius", std::vector<double>{0.5, bad, 0.5}))

@@ -2,8 +2,7 @@
 // What is expected of it is read with HDF5 itself.
 #include "hdf5_folder.hpp"
 
-#include <meniscus/data/pysph.hpp>
-#include <meniscus/data/snapshot.hpp>
+#include <meniscus/data/particles/snapshot.hpp>
 
 #include <zlib.h>
 
@@ -40,9 +39,8 @@ Positions vectors_in(const fs::path& file, const std::string& array,
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto values = values_in(file, "/particles/" + array + "/arrays/" + names[axis]);
         vectors.resize(values.size());
-        for (std::size_t i = 0; i < values.size(); ++i) {
+        for (std::size_t i = 0; i < values.size(); ++i)
             vectors[i][axis] = values[i];
-        }
     }
     return vectors;
 }
@@ -53,9 +51,8 @@ Positions positions_in(const fs::path& file, const std::string& array) {
 
 std::vector<double> flattened(const Positions& vectors) {
     std::vector<double> values;
-    for (const auto& vector : vectors) {
+    for (const auto& vector : vectors)
         values.insert(values.end(), vector.begin(), vector.end());
-    }
     return values;
 }
 
@@ -100,9 +97,8 @@ TEST_F(Pysph, ReadsTheFluidUnderOurNames) {
     EXPECT_EQ(scalar_values(snapshot, "mass"), values_in(file, arrays + "m"));
     EXPECT_EQ(scalar_values(snapshot, "pressure"), values_in(file, arrays + "p"));
     EXPECT_EQ(scalar_values(snapshot, "pid"), values_in(file, arrays + "pid"));
-    for (const char* none : {"id", "gid", "tag", "phase", "x", "u", "rho", "m", "p", "h", "arho"}) {
+    for (const char* none : {"id", "gid", "tag", "phase", "x", "u", "rho", "m", "p", "h", "arho"})
         EXPECT_EQ(find_array(snapshot, none), nullptr) << none;
-    }
     EXPECT_FALSE(snapshot.particle_spacing);
     EXPECT_EQ(snapshot.provenance.at("fluid_arrays"), "fluid");
 }
@@ -243,9 +239,8 @@ TEST_F(Pysph, AnArrayThatIsAloneIsFluid) {
 }
 
 TEST_F(Pysph, WhatIsNotStoredInTwoDimensionsIsZero) {
-    for (const char* array : {"fluid", "boundary"}) {
+    for (const char* array : {"fluid", "boundary"})
         remove(("/particles/" + std::string(array) + "/arrays/z").c_str());
-    }
     put("fluid/arrays/w", {}); // as PySPH writes what it does not store
     const Snapshot snapshot = read_snapshot(file);
     EXPECT_EQ(snapshot.dimension, 2);
@@ -324,9 +319,8 @@ TEST_F(Pysph, ChunksOfLessThanTheirSizeAreRefused) {
             const hid_t space = H5Screate_simple(1, &extent, nullptr);
             const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
             H5Pset_chunk(creation, 1, &extent);
-            if (deflated) {
+            if (deflated)
                 H5Pset_deflate(creation, 1);
-            }
             const hid_t dataset =
                 H5Dcreate2(opened, "/particles/fluid/arrays/rho", H5T_NATIVE_DOUBLE, space,
                            H5P_DEFAULT, creation, H5P_DEFAULT);
@@ -382,9 +376,8 @@ TEST_F(Pysph, AUsersBlockMayComeFirst) {
 }
 
 TEST_F(Pysph, ReadsTheSharedFiles) {
-    if (!fs::exists(shared)) {
+    if (!fs::exists(shared))
         GTEST_SKIP() << "no " << shared;
-    }
     for (const char* name : {"dam_break_2d_04000", "dam_break_2d_08000", "elliptical_drop_00100"}) {
         const fs::path real = (shared / name).concat(".hdf5");
         const Snapshot snapshot = read_snapshot(real);

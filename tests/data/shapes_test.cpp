@@ -1,8 +1,8 @@
-#include <meniscus/data/shapes.hpp>
+#include <meniscus/data/clouds/shapes.hpp>
 
 #include "expected_errors.hpp"
 
-#include <meniscus/data/errors.hpp>
+#include <meniscus/data/text/errors.hpp>
 
 #include <cmath>
 #include <gtest/gtest.h>

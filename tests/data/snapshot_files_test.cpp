@@ -1,8 +1,9 @@
 #include "test_folder.hpp"
 
-#include <meniscus/data/errors.hpp>
-#include <meniscus/data/snapshot_files.hpp>
-#include <meniscus/data/vtkhdf.hpp>
+#include <meniscus/data/formats/snapshot_files.hpp>
+#include <meniscus/data/formats/vtkhdf.hpp>
+#include <meniscus/data/text/errors.hpp>
+#include <meniscus/data/text/files.hpp>
 
 #include <atomic>
 #include <csignal>

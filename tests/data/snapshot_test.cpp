@@ -1,7 +1,7 @@
 #include "expected_errors.hpp"
 
-#include <meniscus/data/errors.hpp>
-#include <meniscus/data/snapshot.hpp>
+#include <meniscus/data/particles/snapshot.hpp>
+#include <meniscus/data/text/errors.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "expected_errors.hpp"
 
-#include <meniscus/data/text.hpp>
+#include <meniscus/data/text/text.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 #include "hdf5_folder.hpp"
 
-#include <meniscus/data/errors.hpp>
-#include <meniscus/data/snapshot_files.hpp>
-#include <meniscus/data/vtkhdf.hpp>
+#include <meniscus/data/formats/snapshot_files.hpp>
+#include <meniscus/data/formats/vtkhdf.hpp>
+#include <meniscus/data/text/errors.hpp>
 
 #include <hdf5.h>
 
@@ -25,9 +25,8 @@ template <class Number>
 void add_extremes(Snapshot& snapshot, const std::string& name) {
     using Limits = std::numeric_limits<Number>;
     std::vector<Number> values(snapshot.size(), Limits::lowest());
-    for (std::size_t i = 0; i < values.size(); i += 2) {
+    for (std::size_t i = 0; i < values.size(); i += 2)
         values[i] = Limits::max();
-    }
     set_array(snapshot, {name, 1, std::move(values)});
 }
 
@@ -117,11 +116,9 @@ TEST_F(Vtkhdf, KeepsSeveralChunks) {
 TEST_F(Vtkhdf, KeepsSinglePrecision) {
     Snapshot snapshot = sample(100);
     snapshot.position_precision = Precision::float32;
-    for (auto& position : snapshot.positions) {
-        for (double& x : position) {
+    for (auto& position : snapshot.positions)
+        for (double& x : position)
             x = static_cast<float>(x);
-        }
-    }
     expect_same(written_and_read(snapshot), snapshot);
 }
 
@@ -179,14 +176,12 @@ TEST_F(Vtkhdf, KeepsLongAndEmptyTexts) {
 TEST_F(Vtkhdf, NamesThatHdf5WouldTakeForPathsAreMended) {
     Snapshot snapshot;
     snapshot.positions = {{0, 0, 0}};
-    for (const char* name : {"a/b", "a_b", "/", ".", "", "..", "a.b (c)"}) {
+    for (const char* name : {"a/b", "a_b", "/", ".", "", "..", "a.b (c)"})
         set_array(snapshot, {name, 1, std::vector<float>{1}});
-    }
     const Snapshot read = written_and_read(snapshot);
     EXPECT_EQ(read.point_data.size(), snapshot.point_data.size());
-    for (const char* name : {"a_b", "a_b_", "_", "__", "___", "..", "a.b (c)"}) {
+    for (const char* name : {"a_b", "a_b_", "_", "__", "___", "..", "a.b (c)"})
         EXPECT_NE(find_array(read, name), nullptr) << name;
-    }
 }
 
 TEST_F(Vtkhdf, TheSameSnapshotGivesTheSameBytes) {
@@ -264,9 +259,8 @@ TEST_F(Vtkhdf, OtherHdf5FilesAreNotOurs) {
 TEST_F(Vtkhdf, ReadsWhatOthersLeaveOut) {
     write_vtkhdf(sample(4, 2), file);
     for (const char* path : {"/meniscus", "/VTKHDF/FieldData", "/VTKHDF/PointData",
-                             "/VTKHDF/CellData", "/VTKHDF/Types"}) {
+                             "/VTKHDF/CellData", "/VTKHDF/Types"})
         remove(path);
-    }
     const Snapshot read = read_snapshot(file);
     EXPECT_EQ(read.positions, sample(4, 2).positions);
     EXPECT_EQ(read.dimension, 2);

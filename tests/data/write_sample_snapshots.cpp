@@ -1,7 +1,7 @@
 // Writes the files that read_with_vtk.py opens with VTK: every number type, three components, a
 // name with punctuation, two and three dimensions, both precisions, and the smallest sizes. Value
 // c of particle i is 10 i + c throughout, so that the reader can tell what belongs where.
-#include <meniscus/data/vtkhdf.hpp>
+#include <meniscus/data/formats/vtkhdf.hpp>
 
 #include <cstdio>
 #include <exception>
@@ -11,11 +11,9 @@ namespace {
 template <class Number>
 void add(meniscus::Snapshot& snapshot, const char* name, int components = 1) {
     std::vector<Number> values;
-    for (std::size_t i = 0; i < snapshot.size(); ++i) {
-        for (int c = 0; c < components; ++c) {
+    for (std::size_t i = 0; i < snapshot.size(); ++i)
+        for (int c = 0; c < components; ++c)
             values.push_back(static_cast<Number>(10 * i + static_cast<std::size_t>(c)));
-        }
-    }
     meniscus::set_array(snapshot, {name, components, std::move(values)});
 }
 

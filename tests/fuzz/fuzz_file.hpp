@@ -3,8 +3,8 @@
 // what the rest of the project relies on. Anything else ends the process, which the fuzzer reports.
 #pragma once
 
-#include <meniscus/data/errors.hpp>
-#include <meniscus/data/snapshot.hpp>
+#include <meniscus/data/particles/snapshot.hpp>
+#include <meniscus/data/text/errors.hpp>
 
 #include <cstddef>
 #include <cstdint>

@@ -1,11 +1,11 @@
 #include "fuzz_file.hpp"
 
-#include <meniscus/data/legacy_vtk.hpp>
+#include <meniscus/data/formats/snapshot_formats.hpp>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     return meniscus::run_reader(data, size, [](const std::filesystem::path& file) {
-        const bool told = meniscus::is_legacy_vtk(file);
-        meniscus::Snapshot snapshot = meniscus::read_legacy_vtk(file);
+        const bool told = meniscus::legacy_vtk_format().detect(file);
+        meniscus::Snapshot snapshot = meniscus::legacy_vtk_format().read(file);
         meniscus::require(told, "what is read is told to be legacy VTK");
         return snapshot;
     });

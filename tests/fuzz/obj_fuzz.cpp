@@ -1,6 +1,6 @@
 #include "fuzz_file.hpp"
 
-#include <meniscus/data/boundary_sampling.hpp>
+#include <meniscus/data/particles/boundary_sampling.hpp>
 
 #include <cmath>
 

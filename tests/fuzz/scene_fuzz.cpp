@@ -1,6 +1,6 @@
 #include "fuzz_file.hpp"
 
-#include <meniscus/sph/scene.hpp>
+#include <meniscus/sph/scene/scene.hpp>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     return meniscus::run_reader(data, size, [](const std::filesystem::path& file) {

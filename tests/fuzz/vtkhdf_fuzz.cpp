@@ -1,6 +1,6 @@
 #include "fuzz_named_file.hpp"
 
-#include <meniscus/data/vtkhdf.hpp>
+#include <meniscus/data/formats/vtkhdf.hpp>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     return meniscus::run_reader_of_named_file(data, size, meniscus::read_vtkhdf);

@@ -1,4 +1,4 @@
-#include "hard_cases/cases.hpp"
+#include "cases.hpp"
 
 #include <algorithm>
 #include <array>
@@ -118,12 +118,11 @@ Lattice lattice(int dimension, double support_radius, int reach, const Inside& i
     const int depth = dimension == 3 ? reach : 0;
     for (int z = -depth; z <= depth; ++z)
         for (int y = -reach; y <= reach; ++y)
-            for (int x = -reach; x <= reach; ++x) {
+            for (int x = -reach; x <= reach; ++x)
                 if (is_fluid({x, y, z}))
                     result.fluid.push_back({x, y, z});
                 else if (is_boundary && is_boundary({x, y, z}))
                     result.boundary.push_back({x, y, z});
-            }
     return result;
 }
 

@@ -12,7 +12,7 @@
 //   one of them do.
 #pragma once
 
-#include <meniscus/data/snapshot.hpp>
+#include <meniscus/data/particles/snapshot.hpp>
 
 #include <cstdint>
 #include <string>

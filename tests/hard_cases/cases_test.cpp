@@ -1,5 +1,5 @@
 // The cases themselves, and what the labeler says of them.
-#include "hard_cases/cases.hpp"
+#include "cases.hpp"
 
 #include <meniscus/labeler/labeler.hpp>
 
@@ -17,9 +17,8 @@ TEST(HardCases, AreWellFormed) {
             EXPECT_EQ(hard_case.dimension, dimension);
             EXPECT_EQ(hard_case.expected.size(), hard_case.size()) << hard_case.name;
             EXPECT_FALSE(hard_case.why.empty()) << hard_case.name;
-            for (const auto& position : hard_case.positions) {
+            for (const auto& position : hard_case.positions)
                 ASSERT_TRUE(dimension == 3 || position[2] == 0) << hard_case.name;
-            }
         }
     }
 }

@@ -1,11 +1,11 @@
-#include "hard_cases/checks.hpp"
+#include "checks.hpp"
 
-#include "hard_cases/host_state.hpp"
+#include "host_state.hpp"
 
-#include <meniscus/data/errors.hpp>
-#include <meniscus/data/text.hpp>
-#include <meniscus/labeler/directions.hpp>
+#include <meniscus/data/text/errors.hpp>
+#include <meniscus/data/text/text.hpp>
 #include <meniscus/labeler/labeler.hpp>
+#include <meniscus/labeler/sampling/directions.hpp>
 #include <meniscus/meniscus.h>
 
 #include <algorithm>
@@ -22,11 +22,11 @@ constexpr double radius_ratio = 0.8;
 /// Steps of the coordinates in support radii, the largest of all particles.
 template <class Real>
 double resolution_of(const HardCase& hard_case) {
-    double largest = 0;
+    double max = 0;
     for (const auto& position : hard_case.positions)
-        largest = std::max(largest, position_step(position, 3, hard_case.support_radius,
-                                                  std::numeric_limits<Real>::digits));
-    return largest;
+        max = std::max(max, position_step(position, 3, hard_case.support_radius,
+                                          std::numeric_limits<Real>::digits));
+    return max;
 }
 
 /// The case as a file with coordinates in Real would have it.
@@ -128,15 +128,15 @@ Check check_features_and_line(const Subject<Real, Dimension>& subject) {
         });
         const auto offset = static_cast<double>(mass_offset(sum, state.radius));
         if (is_finite(offset))
-            check.largest_error =
-                std::max(check.largest_error, std::abs(offset - mass_offset(plain, radius)));
+            check.max_error =
+                std::max(check.max_error, std::abs(offset - mass_offset(plain, radius)));
         // What overflows must be let through: that costs time alone.
         const bool same = sum.count == plain.count && (is_finite(offset) || surface[i] != 0);
         check.passed = check.passed && same;
     }
     const Mistakes mistakes(subject.hard_case, [&](std::size_t i) { return surface[i] != 0; });
     const double tolerance = std::is_same_v<Real, float> ? 1e-5 : 1e-13;
-    check.passed = check.passed && check.largest_error <= tolerance &&
+    check.passed = check.passed && check.max_error <= tolerance &&
                    (mistakes.missed == 0 || !subject.hard_case.line_misses.empty());
     if (!check.passed)
         check.result = "features differ from those in double, or surface is missed";
@@ -150,7 +150,7 @@ Check check_features_and_line(const Subject<Real, Dimension>& subject) {
 template <class Real, int Dimension>
 SurfaceParticles<Real, Dimension>
 exposed(const Subject<Real, Dimension>& subject, const SurfaceLine<Real>& line,
-        const SampleDirections& directions, const ExposureOptions& options) {
+        const SampleDirections& directions, const SurfaceTensionOptions& options) {
     static const HeldCells cells;
     const auto& state = subject.state;
     SurfaceParticles<Real, Dimension> list;
@@ -189,7 +189,7 @@ void judge(const Subject<Real, Dimension>& subject, const SurfaceParticles<Real,
     for (std::size_t slot = 0; slot < list.size(); ++slot) {
         const double truth = subject.truth[list.particle[slot]];
         const double error = std::abs(static_cast<double>(list.uncovered_fraction[slot]) - truth);
-        check.largest_error = std::max(check.largest_error, error);
+        check.max_error = std::max(check.max_error, error);
         if (subject.keeps_neighbors())
             check.passed = check.passed && error <= tolerance(truth);
     }
@@ -198,8 +198,8 @@ void judge(const Subject<Real, Dimension>& subject, const SurfaceParticles<Real,
 template <class Real, int Dimension>
 Check check_exact(const Subject<Real, Dimension>& subject, bool with_line) {
     Check check = subject.check(with_line ? "candidates, exact verification" : "exact coverage");
-    ExposureOptions options;
-    options.method = CoverageMethod::exact;
+    SurfaceTensionOptions options;
+    options.coverage = CoverageMethod::exact;
     const auto line = with_line ? shipped_line<Real, Dimension>() : no_line<Real>;
     const auto list = exposed(subject, line, SampleDirections{}, options);
     judge(
@@ -242,7 +242,7 @@ Check check_sampled(const Subject<Real, Dimension>& subject, const std::string& 
     const bool verifies = verification == Verification::exact;
     Check check =
         subject.check("sampled coverage, " + scheme + (verifies ? ", verified" : ", dropped"));
-    ExposureOptions options;
+    SurfaceTensionOptions options;
     options.verification = verification;
     const auto list = exposed(subject, no_line<Real>, of_scheme[scheme], options);
     judge(
@@ -273,7 +273,7 @@ Check check_labels(const Subject<Real, Dimension>& subject, LabelMethod method,
     check.passed = mistakes.missed + mistakes.wrong == 0;
     for (std::size_t i = 0; i < hard_case.size(); ++i) {
         const double error = std::abs(labels.uncovered_fraction[i] - subject.truth[i]);
-        check.largest_error = std::max(check.largest_error, error);
+        check.max_error = std::max(check.max_error, error);
         const double tolerance = exact ? subject.lambda_tolerance()
                                        : sampling_tolerance(subject.truth[i], options.samples) +
                                              subject.lambda_tolerance();
@@ -304,7 +304,7 @@ Check check_step(const Subject<Real, Dimension>& subject, const std::string& nam
         tension.step(state.view(), boundary, state.size(), state.radii(), nullptr, SerialLoop{});
     });
     const auto& list = tension.surface();
-    const double most_curvature = 2 / std::sqrt(1 - radius_ratio * radius_ratio) + 1e-4;
+    const double max_curvature = 2 / std::sqrt(1 - radius_ratio * radius_ratio) + 1e-4;
     for (std::size_t slot = 0; slot < list.size(); ++slot) {
         const double normal = length_of<Real, Dimension>(list.normal[slot]);
         const double force = length_of<Real, Dimension>(list.force[slot]);
@@ -312,14 +312,14 @@ Check check_step(const Subject<Real, Dimension>& subject, const std::string& nam
             static_cast<double>(list.curvature[slot]) * static_cast<double>(state.radius);
         const bool covered = list.surface_class[slot] != SurfaceClass::surface;
         if (normal > 0)
-            check.largest_error = std::max(check.largest_error, std::abs(normal - 1));
-        check.passed = check.passed && is_finite(force) && std::abs(curvature) <= most_curvature &&
+            check.max_error = std::max(check.max_error, std::abs(normal - 1));
+        check.passed = check.passed && is_finite(force) && std::abs(curvature) <= max_curvature &&
                        (!covered || (force == 0 && normal == 0));
     }
     const Mistakes mistakes(subject.hard_case, [&](std::size_t i) {
         return is_surface(list, i) || subject.hard_case.expected[i] == Expected::surface;
     });
-    check.passed = check.passed && check.largest_error <= 1e-5 && mistakes.wrong == 0;
+    check.passed = check.passed && check.max_error <= 1e-5 && mistakes.wrong == 0;
     check.result = check.passed ? "finite, unit normals, no force inside" : "see largest error";
     return check;
 }
@@ -354,11 +354,10 @@ Check check_momentum(const Subject<Real, Dimension>& subject,
         torques += std::sqrt(dot(arm, arm) * dot(force, force));
     }
     if (forces > 0)
-        check.largest_error = std::sqrt(dot(net, net)) / forces;
+        check.max_error = std::sqrt(dot(net, net)) / forces;
     if (torques > 0)
-        check.largest_error =
-            std::max(check.largest_error, std::sqrt(dot(torque, torque)) / torques);
-    check.passed = check.largest_error <= (std::is_same_v<Real, float> ? 1e-5 : 1e-12);
+        check.max_error = std::max(check.max_error, std::sqrt(dot(torque, torque)) / torques);
+    check.passed = check.max_error <= (std::is_same_v<Real, float> ? 1e-5 : 1e-12);
     return check;
 }
 
@@ -412,7 +411,7 @@ Check check_c_interface(const Subject<Real, Dimension>& subject) {
         check.result = meniscus_last_error();
         return check;
     }
-    SurfaceTension<Real, Dimension> tension(shipped_options<Dimension>());
+    SurfaceTension<Real, Dimension> tension;
     check_step(subject, "", tension);
     const auto& list = tension.surface();
     check.passed = results.slots == list.size();
@@ -479,8 +478,7 @@ std::vector<Check> check_all(const HardCase& hard_case) {
     checks.push_back(check_sampled(subject, "outward", Verification::exact));
     checks.push_back(check_sampled(subject, "outward", Verification::drop));
     for (const bool paper : {false, true}) {
-        SurfaceTension<Real, Dimension> tension(paper ? paper_options<Dimension>()
-                                                      : shipped_options<Dimension>());
+        SurfaceTension<Real, Dimension> tension(paper ? paper_options() : SurfaceTensionOptions{});
         checks.push_back(
             check_step(subject, paper ? "step, paper options" : "step, shipped options", tension));
         checks.push_back(check_momentum(subject, tension));

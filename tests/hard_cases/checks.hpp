@@ -2,7 +2,7 @@
 // found, how far off the largest number was, and whether that is what was expected.
 #pragma once
 
-#include "hard_cases/cases.hpp"
+#include "cases.hpp"
 
 #include <string>
 #include <vector>
@@ -14,7 +14,7 @@ struct Check {
     std::string method;
     std::string expected; ///< and why
     std::string result;
-    double largest_error = 0; ///< of lambda, where the method has one; else of what `result` names
+    double max_error = 0; ///< of lambda, where the method has one; else of what `result` names
     bool passed = false;
 };
 

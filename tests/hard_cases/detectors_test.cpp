@@ -1,8 +1,8 @@
 // Every detector of `meniscus bench` on every hard case: other people's methods need not be right
 // there, but they end, and say 0 or 1.
-#include "hard_cases/cases.hpp"
+#include "cases.hpp"
 
-#include <comparison/detector.hpp>
+#include "detectors/detector.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>

@@ -1,9 +1,10 @@
 // The table of docs/hard_cases.md: one row a case, with what is expected and why, what all methods
 // made of it, and how far off the exact methods were. Exits with 1 where one did not do as
 // expected.
-#include "hard_cases/checks.hpp"
+#include "checks.hpp"
+#include "support/table.hpp"
 
-#include <meniscus/data/text.hpp>
+#include <meniscus/data/text/text.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -56,7 +57,7 @@ void add_checks(const std::vector<Check>& checks, const std::string& where, doub
             std::find(row.results.begin(), row.results.end(), text) == row.results.end())
             row.results.push_back(text);
         if (is_exact(check) && check.result.rfind("refused", 0) != 0)
-            error = std::max(error, check.largest_error);
+            error = std::max(error, check.max_error);
     }
 }
 
@@ -87,16 +88,15 @@ int main() {
             add_checks(check_case<float>(hard_case), where + ", float", row.error_in_float, row);
             add_checks(check_case<double>(hard_case), where + ", double", row.error_in_double, row);
         }
-    std::puts("| case | particles (2D, 3D) | expected, and why | result | largest error of lambda: "
-              "float | double |\n|---|---|---|---|---|---|");
+    Table table = table_of("hard-cases", "case | particles (2D, 3D) | expected, and why | result | "
+                                         "largest error of lambda: float | double");
     bool passed = true;
     for (const std::string& name : order) {
         const Row& row = rows[name];
         passed = passed && row.passed;
-        std::printf("| %s | %s | %s | %s | %s | %s |\n", name.c_str(),
-                    joined(row.sizes, ", ").c_str(), row.expected.c_str(),
-                    joined(row.results, "; ").c_str(), error_text(row.error_in_float).c_str(),
-                    error_text(row.error_in_double).c_str());
+        table.add({name, joined(row.sizes, ", "), row.expected, joined(row.results, "; "),
+                   error_text(row.error_in_float), error_text(row.error_in_double)});
     }
+    std::fputs(markdown(table).c_str(), stdout);
     return passed ? 0 : 1;
 }

@@ -1,5 +1,5 @@
 // Every method on every hard case, a test for each case, dimension and number type.
-#include "hard_cases/checks.hpp"
+#include "checks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ TEST_P(EveryMethod, DoesAsExpected) {
     for (const Check& check :
          is_float ? check_case<float>(*hard_case) : check_case<double>(*hard_case))
         EXPECT_TRUE(check.passed) << check.method << ": " << check.result << ", largest error "
-                                  << check.largest_error << "\nexpected: " << check.expected;
+                                  << check.max_error << "\nexpected: " << check.expected;
 }
 
 std::string name_of(const testing::TestParamInfo<Which>& info) {

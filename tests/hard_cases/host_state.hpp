@@ -1,10 +1,10 @@
 // A case as a solver holds it: positions in its own number type, neighbor lists, and views of them.
 #pragma once
 
-#include "hard_cases/cases.hpp"
+#include "cases.hpp"
 
-#include <meniscus/data/neighbor_search.hpp>
-#include <meniscus/runtime/surface_tension.hpp>
+#include <meniscus/data/particles/neighbor_search.hpp>
+#include <meniscus/runtime/surface/surface_tension.hpp>
 
 #include <vector>
 

@@ -3,7 +3,7 @@
 // once went wrong stays (found_failures.hpp).
 #pragma once
 
-#include <meniscus/runtime/vector3.hpp>
+#include <meniscus/runtime/math/vector3.hpp>
 
 #include <algorithm>
 #include <array>
@@ -63,7 +63,7 @@ private:
     Neighborhood result;
 
     double share() { return static_cast<double>(generator() >> 11) * 0x1p-53; }
-    double between(double least, double most) { return least + (most - least) * share(); }
+    double between(double min, double max) { return min + (max - min) * share(); }
 
     Vector3 direction() {
         for (;;) {

@@ -1,10 +1,10 @@
 // What must hold for any neighborhood, tried on thousands of random ones, those that once went
 // wrong first.
-#include "hard_cases/found_failures.hpp"
-#include "hard_cases/neighborhoods.hpp"
+#include "found_failures.hpp"
+#include "neighborhoods.hpp"
 
-#include <meniscus/labeler/coverage.hpp>
-#include <meniscus/runtime/surface_tension.hpp>
+#include <meniscus/labeler/monte_carlo/coverage.hpp>
+#include <meniscus/runtime/surface/surface_tension.hpp>
 
 #include <gtest/gtest.h>
 #include <numeric>
@@ -221,8 +221,8 @@ void expect_sound_step(const Neighborhood& all, SurfaceTension<Real, Dimension>&
 
 template <class Real, int Dimension>
 void expect_sound_steps(const Neighborhood& all) {
-    static SurfaceTension<Real, Dimension> ours(shipped_options<Dimension>());
-    static SurfaceTension<Real, Dimension> paper(paper_options<Dimension>());
+    static SurfaceTension<Real, Dimension> ours;
+    static SurfaceTension<Real, Dimension> paper(paper_options());
     expect_sound_step(all, ours);
     if (!testing::Test::HasFatalFailure())
         expect_sound_step(all, paper);

@@ -8,7 +8,7 @@
 // the line. The band is how far from the limit.
 #pragma once
 
-#include "hard_cases/host_state.hpp"
+#include "host_state.hpp"
 
 #include <meniscus/labeler/labeler.hpp>
 
@@ -39,7 +39,7 @@ struct LabelChanges {
     double farthest_lambda = 0;    ///< from 0, of labels that coverage changed
     double farthest_distance = 0;  ///< of a neighbor from a limit, over h, where lambda was farther
     double farthest_from_line = 0; ///< in neighbors, of those that the line changed
-    double largest_lambda_error = 0; ///< of particles with no neighbor at a limit
+    double max_lambda_error = 0;   ///< of particles with no neighbor at a limit
 };
 
 namespace rounding {
@@ -67,8 +67,8 @@ template <class Real, int Dimension>
 std::vector<double> lambda_of(const HostState<Real, Dimension>& state) {
     static const HeldCells cells;
     SurfaceParticles<Real, Dimension> list;
-    ExposureOptions options;
-    options.method = CoverageMethod::exact;
+    SurfaceTensionOptions options;
+    options.coverage = CoverageMethod::exact;
     std::vector<ExposureMemory> memory(1);
     find_candidates<Real, Dimension>(state.view(), state.size(), state.radii(),
                                      {Real(0), Real(1e9)}, radius_ratio, SerialLoop{}, list);
@@ -100,8 +100,8 @@ void add_changes(const HardCase& fluid, LabelChanges& changes) {
         const double off = rounding::nearest_to_limit(state, i);
         const bool counts_surely = off > band.distance;
         if (counts_surely)
-            changes.largest_lambda_error =
-                std::max(changes.largest_lambda_error, std::abs(lambda[i] - reference));
+            changes.max_lambda_error =
+                std::max(changes.max_lambda_error, std::abs(lambda[i] - reference));
         if ((lambda[i] > zero_uncovered_fraction) != (labels.surface[i] != 0)) {
             ++changes.by_coverage;
             const double farther = std::max(lambda[i], reference);

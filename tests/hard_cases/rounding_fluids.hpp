@@ -1,10 +1,10 @@
 // The fluids on which the rounding band is measured and tested.
 #pragma once
 
-#include "hard_cases/neighborhoods.hpp"
-#include "hard_cases/rounding.hpp"
+#include "neighborhoods.hpp"
+#include "rounding.hpp"
 
-#include <meniscus/data/vtkhdf.hpp>
+#include <meniscus/data/formats/vtkhdf.hpp>
 
 #include <filesystem>
 #include <functional>

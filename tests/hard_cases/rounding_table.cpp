@@ -1,7 +1,8 @@
-// Rows of the rounding table in docs/hard_cases.md: how many labels the arithmetic that this
-// program was built with changes, and how near to the limits they lie. Arguments: the name of the
+// The rounding table of docs/hard_cases.md for the arithmetic that this program was built with: how
+// many labels it changes, and how near to the limits they lie. Arguments: the name of the
 // arithmetic, and the folder with the samples.
-#include "hard_cases/rounding_fluids.hpp"
+#include "rounding_fluids.hpp"
+#include "support/table.hpp"
 
 #include <cstdio>
 
@@ -10,16 +11,15 @@ namespace {
 using namespace meniscus::test;
 
 template <class Real>
-void print_row(const char* arithmetic, const char* samples) {
+void add_row(const std::string& arithmetic, const char* samples, meniscus::Table& table) {
     LabelChanges changes;
     const auto add = [&](const HardCase& fluid) { add_changes<Real>(fluid, changes); };
     for_hard_cases(add);
     for_random_fluids(2000, add);
     for_samples(samples, ~std::size_t{0}, add);
-    std::printf("| %s, %s | %zu | %zu | %.1g | %zu | %.1g | %.1g | %zu |\n",
-                sizeof(Real) == 4 ? "float" : "double", arithmetic, changes.particles,
-                changes.by_coverage, changes.farthest_lambda, changes.by_line,
-                changes.farthest_from_line, changes.largest_lambda_error, changes.outside);
+    table.add({(sizeof(Real) == 4 ? "float, " : "double, ") + arithmetic, changes.particles,
+               changes.by_coverage, changes.farthest_lambda, changes.by_line,
+               changes.farthest_from_line, changes.max_lambda_error, changes.outside});
 }
 
 } // namespace
@@ -29,7 +29,12 @@ int main(int count, char** arguments) {
         std::fputs("usage: rounding_table ARITHMETIC SAMPLES\n", stderr);
         return 2;
     }
-    print_row<float>(arguments[1], arguments[2]);
-    print_row<double>(arguments[1], arguments[2]);
+    meniscus::Table table = meniscus::table_of(
+        "rounding",
+        "arithmetic | particles | changed by coverage | lambda up to {:.1g} | changed by the line "
+        "| from the line up to {:.1g} | largest error of lambda {:.1g} | outside");
+    add_row<float>(arguments[1], arguments[2], table);
+    add_row<double>(arguments[1], arguments[2], table);
+    std::fputs(markdown(table).c_str(), stdout);
     return 0;
 }

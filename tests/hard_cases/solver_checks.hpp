@@ -2,8 +2,8 @@
 // is one method on one case.
 #pragma once
 
-#include "hard_cases/checks.hpp"
-#include "hard_cases/solver_runs.hpp"
+#include "checks.hpp"
+#include "solver_runs.hpp"
 
 #include <vector>
 

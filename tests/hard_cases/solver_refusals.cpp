@@ -1,6 +1,6 @@
-#include "hard_cases/solver_checks.hpp"
+#include "solver_checks.hpp"
 
-#include <meniscus/data/vtkhdf.hpp>
+#include <meniscus/data/formats/vtkhdf.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -91,7 +91,7 @@ void add_bad_numbers(std::vector<Check>& checks) {
                                   [](Subject& subject) { subject.scene.time_step.fixed = 0; }));
     checks.push_back(check_spoilt("no_sound_speed", "refused: WCSPH would have no pressure at all",
                                   {"sound speed"}, [](Subject& subject) {
-                                      subject.scene.pressure.solver = PressureSolverKind::wcsph;
+                                      subject.scene.pressure.solver = "wcsph";
                                       subject.scene.pressure.sound_speed = 0;
                                   }));
     checks.push_back(check_spoilt("million_spacings_in_h",
@@ -159,9 +159,9 @@ void add_leaps(std::vector<Check>& checks) {
                                   }));
     checks.push_back(check_spoilt(
         "smallest_step_too_long", "stops: the same, where time_step.smallest holds the step up",
-        {"particle 1 moved 10", "smallest"}, [&](Subject& subject) {
+        {"particle 1 moved 10", "min"}, [&](Subject& subject) {
             throw_particle(subject);
-            subject.scene.time_step.smallest = subject.scene.time_step.largest = 0.01;
+            subject.scene.time_step.min = subject.scene.time_step.max = 0.01;
         }));
     checks.push_back(check_spoilt("velocity_beyond_float",
                                   "stops: places around it are no numbers any more",

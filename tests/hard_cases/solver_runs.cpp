@@ -1,9 +1,11 @@
-#include "hard_cases/solver_runs.hpp"
+#include "solver_runs.hpp"
 
-#include <meniscus/data/errors.hpp>
+#include <meniscus/data/text/errors.hpp>
+#include <meniscus/sph/scene/methods.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <random>
 
 namespace meniscus::test {
@@ -62,14 +64,19 @@ Outcome outcome_of(const std::function<std::unique_ptr<Simulation>()>& start, in
 
 } // namespace
 
-std::string name_of(PressureSolverKind solver) {
-    const char* const names[] = {"WCSPH", "PCISPH", "IISPH", "DFSPH"};
-    return names[static_cast<std::size_t>(solver)];
-}
-
-std::string name_of(TensionModel tension) {
-    const char* const names[] = {"none", "ours", "Becker", "Huber", "Akinci", "He", "color field"};
-    return names[static_cast<std::size_t>(tension)];
+std::string name_of(std::string_view method) {
+    static const std::map<std::string_view, const char*> names = {{"wcsph", "WCSPH"},
+                                                                  {"pcisph", "PCISPH"},
+                                                                  {"iisph", "IISPH"},
+                                                                  {"dfsph", "DFSPH"},
+                                                                  {"none", "none"},
+                                                                  {"meniscus", "ours"},
+                                                                  {"becker_2007", "Becker"},
+                                                                  {"huber_2015", "Huber"},
+                                                                  {"akinci_2013", "Akinci"},
+                                                                  {"he_2014", "He"},
+                                                                  {"color_field", "color field"}};
+    return names.at(method);
 }
 
 std::string name_of(Precision precision) {
@@ -91,11 +98,10 @@ Scene plain_scene(const Method& method, double support_radius, double spacing) {
     scene.pressure.sound_speed = 20 * support_radius;
     scene.surface_tension.model = method.tension;
     // Of the rivals no coefficient means the same for two of them: one that each of them feels.
-    const bool has_sigma =
-        method.tension == TensionModel::meniscus || method.tension == TensionModel::color_field;
-    scene.surface_tension.coefficient = has_sigma ? 100 * std::pow(support_radius, 3) : 0.1;
-    scene.time_step.smallest = 1e-9;
-    scene.time_step.largest = 0.01;
+    scene.surface_tension.coefficient =
+        has_sigma(scene.surface_tension) ? 100 * std::pow(support_radius, 3) : 0.1;
+    scene.time_step.min = 1e-9;
+    scene.time_step.max = 0.01;
     return scene;
 }
 
@@ -113,8 +119,8 @@ SceneParticles particles_of(const Scene& scene, Positions places, std::vector<Pl
 Scene scene_of(const HardCase& hard_case, const Method& method) {
     Scene scene = plain_scene(method, hard_case.support_radius, spacing_of(hard_case));
     if (scene.support_radius > 2.75 * scene.particle_spacing) { // no line ships: test all exactly
-        scene.surface_tension.k = 0;
-        scene.surface_tension.d = 1e6;
+        scene.surface_tension.surface.k = 0;
+        scene.surface_tension.surface.d = 1e6;
     }
     if (hard_case.size() == 1) // so that it does not leave the box around itself
         scene.domain = {{{-10, -10, -10}, {10, 10, 10}}};
@@ -155,11 +161,11 @@ double distance_of(const Place& a, const Place& b) {
     return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-double largest_distance(const Positions& a, const Positions& b) {
-    double largest = 0;
+double max_distance(const Positions& a, const Positions& b) {
+    double max = 0;
     for (std::size_t i = 0; i < a.size(); ++i)
-        largest = std::max(largest, distance_of(a[i], b[i]));
-    return largest;
+        max = std::max(max, distance_of(a[i], b[i]));
+    return max;
 }
 
 Ball jittered_ball(int dimension, double radius) {

@@ -2,35 +2,33 @@
 // the support radius: all scales are one and the same flow.
 #pragma once
 
-#include "hard_cases/cases.hpp"
+#include "cases.hpp"
 
-#include <meniscus/sph/simulation.hpp>
+#include <meniscus/sph/step/simulation.hpp>
 
 #include <array>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace meniscus::test {
 
 /// What takes a step.
 struct Method {
-    PressureSolverKind solver = PressureSolverKind::dfsph;
-    TensionModel tension = TensionModel::meniscus;
+    std::string_view solver = "dfsph";
+    std::string_view tension = "meniscus";
     int dimension = 3;
     Precision precision = Precision::float32;
 };
 
-inline constexpr std::array<PressureSolverKind, 4> solvers = {
-    PressureSolverKind::wcsph, PressureSolverKind::pcisph, PressureSolverKind::iisph,
-    PressureSolverKind::dfsph};
-inline constexpr std::array<TensionModel, 6> tensions = {
-    TensionModel::meniscus,    TensionModel::becker_2007, TensionModel::huber_2015,
-    TensionModel::akinci_2013, TensionModel::he_2014,     TensionModel::color_field};
+inline constexpr std::array<std::string_view, 4> solvers = {"wcsph", "pcisph", "iisph", "dfsph"};
+inline constexpr std::array<std::string_view, 6> tensions = {
+    "meniscus", "becker_2007", "huber_2015", "akinci_2013", "he_2014", "color_field"};
 inline constexpr std::array<Precision, 2> precisions = {Precision::float32, Precision::float64};
 
-std::string name_of(PressureSolverKind solver);
-std::string name_of(TensionModel tension);
+/// Of a solver or a model of surface tension, for tables and names of tests.
+std::string name_of(std::string_view method);
 std::string name_of(Precision precision);
 
 /// `in_float` in single, `in_double` in double precision.
@@ -76,7 +74,7 @@ std::string message_of(const std::function<void()>& work);
 double distance_of(const Place& a, const Place& b);
 
 /// The largest distance of two lists of places, in m.
-double largest_distance(const Positions& a, const Positions& b);
+double max_distance(const Positions& a, const Positions& b);
 
 /// A jittered ball of a lattice with about 30 neighbors a particle inside, h being 1, that rests at
 /// its density, and velocities of up to 0.1 h/s along each axis.

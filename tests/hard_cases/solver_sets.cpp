@@ -1,6 +1,6 @@
-#include "hard_cases/solver_checks.hpp"
+#include "solver_checks.hpp"
 
-#include <meniscus/data/vtkhdf.hpp>
+#include <meniscus/data/formats/vtkhdf.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -93,14 +93,14 @@ void judge_run(const HardCase& hard_case, const Expectation& expected, const Met
         return;
     check.result = "goes on";
     if (expected.fate == Fate::goes_straight) {
-        check.largest_error = straight_error(outcome, hard_case.positions[0], velocity);
-        check.passed = check.largest_error < bound_of(method, 1e-7, 1e-15);
+        check.max_error = straight_error(outcome, hard_case.positions[0], velocity);
+        check.passed = check.max_error < bound_of(method, 1e-7, 1e-15);
     } else if (expected.fate == Fate::stays_outside_wall) {
         for (const Place& place : outcome.places)
             check.passed = check.passed && place[1] > -0.5;
     } else {
-        check.largest_error = outcome.momentum_error();
-        check.passed = check.largest_error < bound_of(method, 1e-6, 1e-14);
+        check.max_error = outcome.momentum_error();
+        check.passed = check.max_error < bound_of(method, 1e-6, 1e-14);
     }
 }
 

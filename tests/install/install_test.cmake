@@ -27,22 +27,34 @@ function(expect_mention text part)
     endif()
 endfunction()
 
+# A machine that has no library.
+set(no_library)
+foreach(package benchmark CLI11 Eigen3 fmt GTest HDF5 hwy nlohmann_json OpenMP OpenSSL Qhull Torch ZLIB)
+    list(APPEND no_library -DCMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
+endforeach()
+
 file(REMOVE_RECURSE ${WORK})
 set(prefix ${WORK}/prefix)
 run(ignored ${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix} --config "${CONFIG}")
 
 # What is there, and nothing that only the build needs.
-foreach(file bin/meniscus include/meniscus/version.hpp include/meniscus/runtime/classifier.hpp
-        include/meniscus/runtime/surface_coefficients.hpp include/meniscus/data/vtkhdf.hpp
+foreach(file bin/meniscus include/meniscus/runtime/version.hpp
+        include/meniscus/runtime/features/classifier.hpp
+        include/meniscus/runtime/coefficients/surface_3d.hpp
+        include/meniscus/data/formats/vtkhdf.hpp
         include/meniscus/labeler/labeler.hpp share/meniscus/samples/droplet_iisph_01.vtkhdf
         share/meniscus/models/surface_3d.json share/meniscus/scenes/dam_break.json
-        share/meniscus/scenes/meshes/glass.obj include/meniscus/data/boundary_sampling.hpp
+        share/meniscus/scenes/meshes/glass.obj include/meniscus/data/particles/boundary_sampling.hpp
         include/meniscus/meniscus.h)
     if(NOT EXISTS ${prefix}/${file})
         message(FATAL_ERROR "${file} is not installed")
     endif()
 endforeach()
 file(GLOB_RECURSE sources ${prefix}/*.cpp ${prefix}/*_test.hpp)
+file(GLOB_RECURSE kept RELATIVE ${prefix} ${prefix}/*.hpp)
+list(FILTER kept INCLUDE REGEX "/detail/|/hdf5/|/json/")
+list(FILTER kept EXCLUDE REGEX "meniscus/runtime/") # whose headers include theirs
+list(APPEND sources ${kept})
 if(sources)
     message(FATAL_ERROR "installed but not meant to be: ${sources}")
 endif()
@@ -66,7 +78,7 @@ endif()
 run(ignored ${meniscus} export ${WORK}/demo/model.json -o ${WORK}/exported.hpp --name Exported)
 foreach(flags "" "-ffast-math -mavx2")
     build_consumer(solver -DCMAKE_PREFIX_PATH=${prefix} -DEXPORTED=${WORK}/exported.hpp
-        "-DEXTRA_FLAGS=${flags}")
+        "-DEXTRA_FLAGS=${flags}" ${no_library})
     if(flags STREQUAL "") # a machine may compile for another's instruction set
         run(ignored ${WORK}/solver/solver)
     endif()
@@ -75,9 +87,37 @@ build_consumer(snapshots -DCMAKE_PREFIX_PATH=${prefix})
 run(ignored ${WORK}/snapshots/snapshots ${WORK}/written.vtkhdf)
 run(printed ${meniscus} label ${WORK}/written.vtkhdf -o ${WORK}/labelled)
 expect_mention("${printed}" "1000 particles in 3D")
-build_consumer(subproject -DMENISCUS_SOURCE=${SOURCE} -DSOLVER=${CONSUMERS}/solver
-    -DEXPORTED=${WORK}/exported.hpp)
-run(ignored ${WORK}/subproject/solver)
+
+# The runtime alone, on a machine that has no library: inside another project, and installed by
+# itself, where nothing else is offered.
+set(subproject subproject -DMENISCUS_SOURCE=${SOURCE} -DSOLVER=${CONSUMERS}/solver
+    -DEXPORTED=${WORK}/exported.hpp -DCMAKE_BUILD_TYPE=Debug)
+foreach(fetch ON OFF)
+    build_consumer(${subproject} -DFETCH=${fetch} ${no_library})
+    run(ignored ${WORK}/subproject/solver)
+endforeach()
+run(ignored ${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/runtime -G ${GENERATOR}
+    -DCMAKE_CXX_COMPILER=${CXX_COMPILER} -DMENISCUS_RUNTIME_ONLY=ON ${no_library})
+set(runtime_prefix ${WORK}/runtime_prefix)
+run(ignored ${CMAKE_COMMAND} --install ${WORK}/runtime --prefix ${runtime_prefix})
+build_consumer(solver -DEXPORTED=${WORK}/exported.hpp -DCMAKE_BUILD_TYPE=Debug ${no_library}
+    -DCMAKE_PREFIX_PATH=${runtime_prefix} --fresh)
+run(ignored ${WORK}/solver/solver)
+file(GLOB folders RELATIVE ${runtime_prefix} ${runtime_prefix}/* ${runtime_prefix}/include/meniscus/*)
+list(SORT folders)
+if(NOT folders STREQUAL "include;include/meniscus/runtime;lib")
+    message(FATAL_ERROR "the runtime alone installs ${folders}")
+endif()
+execute_process(COMMAND ${CMAKE_COMMAND} -S ${CONSUMERS}/snapshots -B ${WORK}/snapshots -G ${GENERATOR}
+    -DCMAKE_PREFIX_PATH=${runtime_prefix} --fresh
+    RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE printed)
+if(status EQUAL 0)
+    message(FATAL_ERROR "the runtime alone offers snapshots, too")
+endif()
+expect_mention("${printed}" "this copy offers runtime\n")
+
+# All of it inside another project, for one that wants more than the runtime.
+build_consumer(${subproject} -DMENISCUS_RUNTIME_ONLY=OFF -DMENISCUS_TRAINER=OFF --fresh)
 
 # The README's lines, and a solver in C, told where the library is by CMake or by pkg-config.
 build_consumer(readme -DCMAKE_PREFIX_PATH=${prefix} -DREADME=${SOURCE}/README.md)

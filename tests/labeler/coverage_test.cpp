@@ -1,4 +1,4 @@
-#include <meniscus/labeler/coverage.hpp>
+#include <meniscus/labeler/monte_carlo/coverage.hpp>
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -9,20 +9,26 @@ namespace {
 
 std::vector<Direction> halton(int dimension, std::size_t count) {
     std::vector<Direction> directions(count);
-    fill_halton(dimension, 0, 0, directions);
+    sampling_scheme("halton").fill(dimension, 0, 0, directions);
     return directions;
 }
 
+/// The same by each instruction set, whatever the blocks.
 std::size_t fast_count(const std::vector<Direction>& directions,
                        const std::vector<Direction>& displacements, double radius_ratio = 0.8) {
     Caps caps;
     caps.displacements = displacements;
     caps.radius_ratio = radius_ratio;
-    const std::size_t compact = count_uncovered(compact_blocks(directions), caps);
+    const DirectionBlocks compact = compact_blocks(directions);
     DirectionBlocks plain;
     plain_blocks(directions, plain);
-    EXPECT_EQ(count_uncovered(plain, caps), compact);
-    return compact;
+    const std::size_t count = count_uncovered(compact, caps);
+    for (const InstructionSet set : instruction_sets)
+        if (is_supported(set)) {
+            EXPECT_EQ(count_uncovered(compact, caps, set), count) << name_of(set);
+            EXPECT_EQ(count_uncovered(plain, caps, set), count) << name_of(set);
+        }
+    return count;
 }
 
 /// Neighbors between the two radii, in a ball cut off above a plane so that something stays open.
@@ -87,10 +93,6 @@ TEST(Coverage, DirectionsOnTheEdgeOfACapAreDecidedInDouble) {
         EXPECT_EQ(fast_count(directions, {x}), count_uncovered_reference(directions, {x}, 0.8));
         EXPECT_EQ(fast_count(directions, {x}), shift > 0 ? 0U : 20U);
     }
-}
-
-TEST(Coverage, NamesItsInstructionSet) {
-    EXPECT_NE(coverage_instruction_set(), std::string());
 }
 
 } // namespace

@@ -2,7 +2,7 @@
 // is known where the surface is.
 #pragma once
 
-#include <meniscus/data/snapshot.hpp>
+#include <meniscus/data/particles/snapshot.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -48,11 +48,11 @@ inline double length(const Place& x) {
 /// dimensions disk) around the origin.
 template <class Add>
 void for_lattice_in_ball(int dimension, double spacing, double radius, Add&& add) {
-    const int most = static_cast<int>(radius / spacing) + 1;
+    const int max = static_cast<int>(radius / spacing) + 1;
     const auto at = [&](int n) { return (n + 0.5) * spacing; };
-    for (int x = -most; x < most; ++x)
-        for (int y = -most; y < most; ++y)
-            for (int z = dimension == 2 ? 0 : -most; z < (dimension == 2 ? 1 : most); ++z) {
+    for (int x = -max; x < max; ++x)
+        for (int y = -max; y < max; ++y)
+            for (int z = dimension == 2 ? 0 : -max; z < (dimension == 2 ? 1 : max); ++z) {
                 const Place position{at(x), at(y), dimension == 2 ? 0 : at(z)};
                 if (length(position) >= radius)
                     continue;

@@ -1,6 +1,6 @@
 // Our labels against those of an independent program (50,000 evenly spread directions in double),
 // where the folder of shared snapshots is at hand.
-#include <meniscus/data/snapshot_files.hpp>
+#include <meniscus/data/formats/snapshot_files.hpp>
 #include <meniscus/labeler/labeler.hpp>
 
 #include <cmath>

@@ -2,8 +2,8 @@
 
 #include <meniscus/labeler/labeler.hpp>
 
-#include <meniscus/data/errors.hpp>
-#include <meniscus/labeler/coverage.hpp>
+#include <meniscus/data/text/errors.hpp>
+#include <meniscus/labeler/monte_carlo/coverage.hpp>
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -65,7 +65,7 @@ TEST(Labeler, LambdaIsThatOfTheReference) {
     options.samples = 5000;
     const auto labels = label_particles(snapshot, 2.3, options);
     std::vector<Direction> directions(options.samples);
-    fill_halton(3, 0, 0, directions);
+    sampling_scheme("halton").fill(3, 0, 0, directions);
     for (std::size_t i = 0; i < snapshot.size(); ++i) {
         std::vector<Direction> neighbors;
         for (const auto& other : snapshot.positions) {

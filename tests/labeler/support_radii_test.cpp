@@ -1,11 +1,11 @@
 // Labels where every particle has a support radius of its own.
-#include "labeler/droplets.hpp"
+#include "droplets.hpp"
 
 #include "data/expected_errors.hpp"
 
-#include <meniscus/data/errors.hpp>
-#include <meniscus/data/particle_arrays.hpp>
-#include <meniscus/data/snapshot_files.hpp>
+#include <meniscus/data/formats/snapshot_files.hpp>
+#include <meniscus/data/particles/particle_arrays.hpp>
+#include <meniscus/data/text/errors.hpp>
 #include <meniscus/labeler/labeler.hpp>
 
 #include <cmath>

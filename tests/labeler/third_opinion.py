@@ -20,7 +20,7 @@ except ImportError as error:
     sys.exit(f"FreeSASA's or VTK's Python module or NumPy is missing ({error}); on Debian: "
              "apt-get install python3-freesasa python3-vtk9 python3-numpy")
 
-# As runtime/neighborhood.hpp states them, written anew so that nothing is shared.
+# As runtime/neighbors/neighborhood.hpp states them, written anew so that nothing is shared.
 RADIUS_RATIO = 0.8
 NEIGHBOR_BAND = 1e-5
 
@@ -107,7 +107,7 @@ def label_and_choose(program, folder):
                 for particle in choose(sample, pathlib.Path(output, sample.name), generator)]
 
 
-def largest_difference(particles, algorithm, resolution, number):
+def max_difference(particles, algorithm, resolution, number):
     """Between the labels and FreeSASA; and its particle."""
     differences = [abs(area_fraction(displacements, algorithm, resolution, number) - fraction)
                    for _, _, fraction, displacements in particles]
@@ -122,7 +122,7 @@ def main():
     failed = False
     for algorithm, (resolution, numbers, tolerance) in ALGORITHMS.items():
         for number in numbers:
-            difference, (name, i, fraction, _) = largest_difference(particles, algorithm, resolution, number)
+            difference, (name, i, fraction, _) = max_difference(particles, algorithm, resolution, number)
             failed = failed or not difference < tolerance(number)
             print(f"{algorithm}, {number} {resolution[2:]}: largest difference {difference:.1e}, tolerance "
                   f"{tolerance(number):.1e} (particle {i} of {name}, lambda {fraction:.9f})", flush=True)

@@ -36,11 +36,11 @@ int allocations_in(const Act& act) {
 }
 
 template <class Real, int Dimension>
-std::size_t most_neighbors(const Fluid<Real, Dimension>& fluid) {
-    std::size_t most = 0;
+std::size_t max_neighbors(const Fluid<Real, Dimension>& fluid) {
+    std::size_t max = 0;
     for (std::size_t i = 0; i < fluid.size(); ++i)
-        most = std::max(most, fluid.offsets[i + 1] - fluid.offsets[i]);
-    return most;
+        max = std::max(max, fluid.offsets[i + 1] - fluid.offsets[i]);
+    return max;
 }
 
 /// The options under which every stage runs.
@@ -53,7 +53,7 @@ std::vector<SurfaceTensionOptions> options_of_all_stages() {
         options.curvature_passes = 2;
     }
     all.push_back(all[0]);
-    all.back().exposure.method = CoverageMethod::exact;
+    all.back().coverage = CoverageMethod::exact;
     return all;
 }
 
@@ -67,7 +67,7 @@ void expect_no_allocation(const Fluid<Real, Dimension>& fluid, const Loop& loop)
     const auto view = fluid.view();
     for (const auto& options : options_of_all_stages<Dimension>()) {
         SurfaceTension<Real, Dimension> tension(options);
-        tension.reserve(fluid.size(), most_neighbors(fluid), loop.workers());
+        tension.reserve(fluid.size(), max_neighbors(fluid), loop.workers());
         const auto step_and_balance = [&](const auto& boundary) {
             tension.step(view, boundary, fluid.size(), fluid.radii(), nullptr, loop);
             tension.template balance_momentum<Dimension>(view, boundary, fluid.radii(),

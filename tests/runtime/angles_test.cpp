@@ -1,4 +1,4 @@
-#include <meniscus/runtime/angles.hpp>
+#include <meniscus/runtime/math/angles.hpp>
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include <meniscus/runtime/classifier.hpp>
+#include <meniscus/runtime/features/classifier.hpp>
 
 #include <cmath>
 #include <gtest/gtest.h>

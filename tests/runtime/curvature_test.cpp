@@ -1,5 +1,5 @@
-#include <meniscus/runtime/curvature_map.hpp>
-#include <meniscus/runtime/random_directions.hpp>
+#include <meniscus/runtime/math/random_directions.hpp>
+#include <meniscus/runtime/surface/curvature_map.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -24,9 +24,9 @@ double uncovered_part(double curvature, double radius_ratio) {
 template <int Dimension>
 void expect_inverse() {
     for (const double radius_ratio : {0.5, 0.8, 0.95}) {
-        const double least = -2;
-        const double most = 2 / std::sqrt(1 - radius_ratio * radius_ratio);
-        for (double curvature = least; curvature <= most; curvature += 0.01)
+        const double min = -2;
+        const double max = 2 / std::sqrt(1 - radius_ratio * radius_ratio);
+        for (double curvature = min; curvature <= max; curvature += 0.01)
             EXPECT_NEAR(curvature_of<Dimension>(uncovered_part<Dimension>(curvature, radius_ratio),
                                                 radius_ratio),
                         curvature, 1e-6)
@@ -267,22 +267,23 @@ TEST(TemporalSmoothing, FollowsParticlesThatAreSorted) {
     auto list =
         surface<double, 3>({{0, 0, 0}, {5, 0, 0}, {10, 0, 0}}, {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}});
     TemporalCurvature<double> memory;
+    memory.share = 0.75;
     list.curvature = {1, 2, 3};
-    memory.smooth(0.75, list);
+    memory.smooth(list);
     EXPECT_EQ(list.curvature, (std::vector<double>{1, 2, 3})) << "nothing was there before";
 
     const int permutation[] = {2, 0, 1};
     memory.reorder(permutation);
     list.curvature = {7, 5, 6};
-    memory.smooth(0.75, list);
+    memory.smooth(list);
     EXPECT_EQ(list.curvature, (std::vector<double>{4, 2, 3}));
 
     list.surface_class[1] = SurfaceClass::covered;
     list.curvature = {4, 0, 3};
-    memory.smooth(0.75, list);
+    memory.smooth(list);
     list.surface_class[1] = SurfaceClass::surface;
     list.curvature = {4, 9, 3};
-    memory.smooth(0.75, list);
+    memory.smooth(list);
     EXPECT_EQ(list.curvature[1], 9) << "it was not surface in the step before";
 }
 
@@ -290,10 +291,10 @@ TEST(TemporalSmoothing, BeginsAnewWithAnotherNumberOfParticles) {
     auto list = surface<float, 2>({{0, 0}, {5, 0}}, {{0, 1}, {0, 1}});
     TemporalCurvature<float> memory;
     list.curvature = {1, 2};
-    memory.smooth(0.5, list);
+    memory.smooth(list);
     auto more = surface<float, 2>({{0, 0}, {5, 0}, {9, 0}}, {{0, 1}, {0, 1}, {0, 1}});
     more.curvature = {8, 8, 8};
-    memory.smooth(0.5, more);
+    memory.smooth(more);
     EXPECT_EQ(more.curvature, (std::vector<float>{8, 8, 8}));
 }
 

@@ -1,4 +1,4 @@
-#include <meniscus/runtime/features.hpp>
+#include <meniscus/runtime/features/features.hpp>
 
 #include <gtest/gtest.h>
 #include <vector>
@@ -27,8 +27,8 @@ TYPED_TEST(Features, CenterOfMassOfTwoNeighbors) {
 TYPED_TEST(Features, MassesWhoseProductsVanishOrOverflowCancelOut) {
     using Real = TypeParam;
     const auto range = neighbor_range<Real>(2, 0.8);
-    constexpr int most = std::numeric_limits<Real>::max_exponent;
-    for (const int exponent : {most / 2 + 4, -most / 2 - 4, most - 3}) {
+    constexpr int max = std::numeric_limits<Real>::max_exponent;
+    for (const int exponent : {max / 2 + 4, -max / 2 - 4, max - 3}) {
         const Real unit = std::ldexp(Real(1), exponent);
         FeatureSum<Real, 3> sum;
         sum.add(std::array<Real, 3>{1, 0, 0}, Real(1), 3 * unit, range);

@@ -2,8 +2,8 @@
 // pairs: nothing that is tested takes part.
 #pragma once
 
-#include <meniscus/runtime/shipped_curvature_map.hpp>
-#include <meniscus/runtime/surface_tension.hpp>
+#include <meniscus/runtime/surface/shipped_curvature_map.hpp>
+#include <meniscus/runtime/surface/surface_tension.hpp>
 
 #include <array>
 #include <cmath>
@@ -108,8 +108,8 @@ SurfaceTensionOptions options_for(SurfaceTensionOptions options = {}) {
     options.k = Dimension == 3 ? 40 : 15;
     options.d = Dimension == 3 ? 18 : 6;
     options.samples = 64;
-    options.map = shipped_curvature_map(Dimension);
-    options.force.spacing_ratio = 2;
+    options.curvature_map = shipped_curvature_map(Dimension);
+    options.spacing_ratio = 2;
     return options;
 }
 

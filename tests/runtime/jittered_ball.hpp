@@ -2,8 +2,8 @@
 // with support radius 2 and neighbor lists found the plain way.
 #pragma once
 
-#include <meniscus/runtime/neighborhood.hpp>
-#include <meniscus/runtime/support_radius.hpp>
+#include <meniscus/runtime/neighbors/neighborhood.hpp>
+#include <meniscus/runtime/neighbors/support_radius.hpp>
 
 #include <cstdint>
 #include <random>
@@ -39,10 +39,10 @@ private:
     void fill(double ball_radius, double jitter, unsigned seed) {
         std::mt19937_64 generator(seed);
         std::uniform_real_distribution<double> move(-jitter, jitter);
-        const int most = static_cast<int>(ball_radius) + 1;
-        const int depth = Dimension == 3 ? most : 0;
-        for (int x = -most; x <= most; ++x)
-            for (int y = -most; y <= most; ++y)
+        const int max = static_cast<int>(ball_radius) + 1;
+        const int depth = Dimension == 3 ? max : 0;
+        for (int x = -max; x <= max; ++x)
+            for (int y = -max; y <= max; ++y)
                 for (int z = -depth; z <= depth; ++z)
                     if (x * x + y * y + z * z <= ball_radius * ball_radius)
                         for (int axis = 0; axis < Dimension; ++axis)

@@ -1,5 +1,5 @@
 // The fast passes over neighbor lists against the plain reference.
-#include <meniscus/runtime/classifier.hpp>
+#include <meniscus/runtime/features/classifier.hpp>
 
 #include <gtest/gtest.h>
 #include <random>

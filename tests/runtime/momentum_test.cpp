@@ -1,5 +1,5 @@
-// Forces of free bodies without net force and torque.
-#include <meniscus/runtime/momentum.hpp>
+// Forces of free components without net force and torque.
+#include <meniscus/runtime/surface/momentum.hpp>
 
 #include "threaded_loop.hpp"
 
@@ -13,13 +13,13 @@
 namespace meniscus {
 namespace {
 
-/// What the corrected forces of a body may add up to, relative to their sizes.
+/// What the corrected forces of a component may add up to, relative to their sizes.
 template <class Real>
 constexpr double tolerance = sizeof(Real) == sizeof(double) ? 1e-12 : 1e-6;
 
-/// Particles with forces, all listed, one body at first.
+/// Particles with forces, all listed, one component at first.
 template <class Real, int Dimension, int Stride = Dimension>
-struct Bodies {
+struct Components {
     std::vector<Real> positions;
     std::vector<Real> forces;
     std::vector<Real> weights;
@@ -52,9 +52,10 @@ struct Bodies {
         }
         MomentumBalance balance;
         balance.remove_net_force(
-            BodyParticles<Real, Dimension, Stride>{positions.data(), labels.data(),
-                                                   at_wall.empty() ? nullptr : at_wall.data()},
-            BodyForces<Real>{list.data(), list.size(), listed_weights.data(), listed_forces.data()},
+            ComponentParticles<Real, Dimension, Stride>{positions.data(), labels.data(),
+                                                        at_wall.empty() ? nullptr : at_wall.data()},
+            ComponentForces<Real>{list.data(), list.size(), listed_weights.data(),
+                                  listed_forces.data()},
             loop);
         for (std::size_t n = 0; n < list.size(); ++n)
             for (int axis = 0; axis < Dimension; ++axis)
@@ -62,10 +63,10 @@ struct Bodies {
     }
 
     [[nodiscard]] Vector3 position(std::size_t i) const {
-        return BodyParticles<Real, Dimension, Stride>::vector_at(&positions[i * Stride]);
+        return ComponentParticles<Real, Dimension, Stride>::vector_at(&positions[i * Stride]);
     }
     [[nodiscard]] Vector3 force(std::size_t i) const {
-        return BodyParticles<Real, Dimension, Stride>::vector_at(&forces[i * Dimension]);
+        return ComponentParticles<Real, Dimension, Stride>::vector_at(&forces[i * Dimension]);
     }
 };
 
@@ -73,7 +74,7 @@ double length(const Vector3& vector) {
     return std::sqrt(dot(vector, vector));
 }
 
-/// Net force and torque of one body, and the sums of the sizes of what they are made of.
+/// Net force and torque of one component, and the sums of the sizes of what they are made of.
 struct NetForce {
     Vector3 force{}, torque{};
     double forces = 0, torques = 0;
@@ -105,7 +106,7 @@ NetForce net_force(const State& state, std::uint32_t label = 0) {
 /// Removes the net force and checks that none is left, measured by the forces left; by those
 /// before, where next to nothing needs to be left.
 template <class Real, int Dimension, int Stride>
-void expect_balanced(Bodies<Real, Dimension, Stride>& state, bool measure_by_forces_left = true,
+void expect_balanced(Components<Real, Dimension, Stride>& state, bool measure_by_forces_left = true,
                      std::uint32_t label = 0) {
     const NetForce before = net_force(state, label);
     state.remove_net_force();
@@ -134,40 +135,40 @@ private:
 };
 
 template <class Real, int Dimension, int Stride = Dimension>
-Bodies<Real, Dimension, Stride> random_body(int size, unsigned seed) {
+Components<Real, Dimension, Stride> random_component(int size, unsigned seed) {
     Random random(seed);
-    Bodies<Real, Dimension, Stride> state;
+    Components<Real, Dimension, Stride> state;
     for (int n = 0; n < size; ++n)
         state.add(random.vector<Dimension>(), random.vector<Dimension>(), random.uniform());
     return state;
 }
 
 template <class Real, int Dimension, int Stride>
-void balance_random_bodies() {
+void balance_random_components() {
     for (unsigned seed = 0; seed < 200; ++seed)
         for (const int size : {Dimension + 1, 10, 300}) {
-            auto state = random_body<Real, Dimension, Stride>(size, seed);
+            auto state = random_component<Real, Dimension, Stride>(size, seed);
             expect_balanced(state);
         }
 }
 
 TEST(Momentum, RandomBodiesDouble3D) {
-    balance_random_bodies<double, 3, 3>();
+    balance_random_components<double, 3, 3>();
 }
 TEST(Momentum, RandomBodiesFloat3DPadded) {
-    balance_random_bodies<float, 3, 4>();
+    balance_random_components<float, 3, 4>();
 }
 TEST(Momentum, RandomBodiesDouble2DInThreeCoordinates) {
-    balance_random_bodies<double, 2, 3>();
+    balance_random_components<double, 2, 3>();
 }
 TEST(Momentum, RandomBodiesFloat2D) {
-    balance_random_bodies<float, 2, 2>();
+    balance_random_components<float, 2, 2>();
 }
 
 /// The least change is, per weight, the velocity of a rigid motion: no distance would change.
 TEST(Momentum, ChangesAsLittleAsPossible) {
     for (unsigned seed = 0; seed < 20; ++seed) {
-        auto state = random_body<double, 3>(30, seed);
+        auto state = random_component<double, 3>(30, seed);
         const auto before = state;
         state.remove_net_force();
         std::vector<Vector3> motion;
@@ -183,7 +184,7 @@ TEST(Momentum, ChangesAsLittleAsPossible) {
 }
 
 TEST(Momentum, ForcesInBalanceStay) {
-    auto state = random_body<double, 3>(100, 1);
+    auto state = random_component<double, 3>(100, 1);
     state.remove_net_force();
     const auto balanced = state.forces;
     state.remove_net_force();
@@ -194,7 +195,7 @@ TEST(Momentum, ForcesInBalanceStay) {
 /// Positions that float holds exactly near and far, so that the forces must be the same.
 TEST(Momentum, FarFromTheOrigin) {
     Random random(3);
-    Bodies<float, 3> near;
+    Components<float, 3> near;
     for (int n = 0; n < 50; ++n) {
         Vector3 position;
         for (double& coordinate : position)
@@ -211,7 +212,7 @@ TEST(Momentum, FarFromTheOrigin) {
 
 TEST(Momentum, OneParticleHasNoForce) {
     for (int weight = 1; weight < 100; ++weight) {
-        Bodies<double, 3> state;
+        Components<double, 3> state;
         state.add({1, 2, 3}, {0.1, 0.2, 0.3}, weight);
         state.remove_net_force();
         EXPECT_EQ(state.forces, std::vector<double>(3, 0));
@@ -219,7 +220,7 @@ TEST(Momentum, OneParticleHasNoForce) {
 }
 
 TEST(Momentum, TwoParticlesPullAlongTheirLine) {
-    Bodies<double, 3> state;
+    Components<double, 3> state;
     state.add({0, 0, 0}, {3, 4, 5}, 1);
     state.add({2, 0, 0}, {1, 1, 1}, 1);
     state.remove_net_force();
@@ -237,7 +238,7 @@ void balance_lines() {
             Random random(seed);
             const Vector3 along = random.vector<Dimension>();
             const Vector3 start = random.vector<Dimension>();
-            Bodies<Real, Dimension> state;
+            Components<Real, Dimension> state;
             for (int n = 0; n < 20; ++n)
                 state.add(sum(sum(start, scaled(random.uniform(), along)),
                               scaled(width, random.vector<Dimension>())),
@@ -264,7 +265,7 @@ TEST(Momentum, LinesFloat2D) {
 
 TEST(Momentum, ParticlesInOnePlace) {
     Random random(8);
-    Bodies<float, 3> state;
+    Components<float, 3> state;
     for (int n = 0; n < 30; ++n)
         state.add({1234.5, 0.1, -7}, random.vector<3>(), random.uniform());
     expect_balanced(state);
@@ -273,7 +274,7 @@ TEST(Momentum, ParticlesInOnePlace) {
 /// All weight in one place, where no force has a lever arm: the net force goes, the torque stays.
 TEST(Momentum, WeightInOnePlaceAwayFromOtherForces) {
     for (unsigned seed = 0; seed < 100; ++seed) {
-        auto state = random_body<double, 3>(10, seed);
+        auto state = random_component<double, 3>(10, seed);
         std::fill(state.weights.begin(), state.weights.begin() + 7, 0.0);
         for (std::size_t n = 24; n < 30; ++n)
             state.positions[n] = state.positions[n - 3];
@@ -285,14 +286,14 @@ TEST(Momentum, WeightInOnePlaceAwayFromOtherForces) {
     }
 }
 
-/// Many bodies in one list, in turns.
+/// Many components in one list, in turns.
 template <class Real, int Dimension>
-Bodies<Real, Dimension> many_bodies() {
-    constexpr std::uint32_t bodies = 50;
+Components<Real, Dimension> many_components() {
+    constexpr std::uint32_t components = 50;
     Random random(4);
-    Bodies<Real, Dimension> state;
+    Components<Real, Dimension> state;
     for (std::uint32_t i = 0; i < 3000; ++i) {
-        const std::uint32_t label = i % bodies;
+        const std::uint32_t label = i % components;
         state.add(sum({10.0 * label, 0, 0}, random.vector<Dimension>()), random.vector<Dimension>(),
                   random.uniform() < 0.1 ? 0 : random.uniform(), label);
     }
@@ -300,7 +301,7 @@ Bodies<Real, Dimension> many_bodies() {
 }
 
 TEST(Momentum, EveryFreeBodyForItself) {
-    auto state = many_bodies<double, 3>();
+    auto state = many_components<double, 3>();
     for (const std::uint32_t label : state.labels)
         state.at_wall.push_back(label % 3 == 0 ? 1 : 0);
     const auto before = state;
@@ -319,7 +320,7 @@ TEST(Momentum, EveryFreeBodyForItself) {
 
 /// Forces and weights stand in the order of the list: as if there were no other particles.
 TEST(Momentum, OnlyListedParticlesCount) {
-    auto state = random_body<double, 3>(100, 6);
+    auto state = random_component<double, 3>(100, 6);
     const auto before = state;
     for (auto& i : state.list)
         i *= 2;
@@ -332,7 +333,7 @@ TEST(Momentum, OnlyListedParticlesCount) {
 TEST(Momentum, WeightsThatAreNoneChangeNothing) {
     for (const float weight : {0.0F, -1.0F, std::numeric_limits<float>::quiet_NaN(),
                                std::numeric_limits<float>::infinity()}) {
-        auto state = random_body<float, 3>(60, 9);
+        auto state = random_component<float, 3>(60, 9);
         std::fill_n(state.weights.begin(), 20, weight);
         const auto before = state.forces;
         expect_balanced(state);
@@ -346,7 +347,7 @@ TEST(Momentum, WeightsThatAreNoneChangeNothing) {
 }
 
 TEST(Momentum, EmptyList) {
-    auto state = random_body<double, 2>(5, 1);
+    auto state = random_component<double, 2>(5, 1);
     const auto before = state.forces;
     state.list.clear();
     state.remove_net_force();
@@ -356,7 +357,7 @@ TEST(Momentum, EmptyList) {
 /// Compared with the same loop on one thread: under -ffast-math another loop is other code.
 template <class Real, int Dimension, class Loop>
 void compare_threads(const Loop& one_thread, const std::vector<Loop>& loops) {
-    const auto start = many_bodies<Real, Dimension>();
+    const auto start = many_components<Real, Dimension>();
     auto reference = start;
     reference.remove_net_force(one_thread);
     for (const Loop& loop : loops) {
@@ -382,15 +383,15 @@ TEST(Momentum, BalanceIsUsedAgain) {
     MomentumBalance balance;
     balance.reserve(10, 1);
     for (const unsigned seed : {1U, 2U}) {
-        auto state = many_bodies<double, 3>();
+        auto state = many_components<double, 3>();
         auto fresh = state;
         fresh.remove_net_force();
         for (std::uint32_t& label : state.labels)
             label += 1000 * seed;
         balance.remove_net_force(
-            BodyParticles<double, 3>{state.positions.data(), state.labels.data(), nullptr},
-            BodyForces<double>{state.list.data(), state.list.size(), state.weights.data(),
-                               state.forces.data()},
+            ComponentParticles<double, 3>{state.positions.data(), state.labels.data(), nullptr},
+            ComponentForces<double>{state.list.data(), state.list.size(), state.weights.data(),
+                                    state.forces.data()},
             SerialLoop{});
         EXPECT_EQ(state.forces, fresh.forces);
     }

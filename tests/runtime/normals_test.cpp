@@ -1,5 +1,5 @@
 // Smoothing of normals and normals from positions.
-#include <meniscus/runtime/normals.hpp>
+#include <meniscus/runtime/surface/normals.hpp>
 
 #include "random_caps.hpp"
 #include "threaded_loop.hpp"

@@ -1,7 +1,7 @@
 // What a host has beside one fluid and one step: several phases, and curvatures of the last step.
 #include "jittered_ball.hpp"
 
-#include <meniscus/runtime/surface_tension.hpp>
+#include <meniscus/runtime/surface/surface_tension.hpp>
 
 #include <gtest/gtest.h>
 
@@ -14,8 +14,8 @@ TEST(Phases, EachHasASurfaceWhereItMeetsTheOther) {
     for (std::size_t i = 0; i < ball.size(); ++i)
         phases[i] = ball.positions[3 * i] < 0.5 ? 0 : 1;
     const SamePhase<CsrNeighborhood<double, 3>, int> view{ball.view(), phases.data()};
-    SurfaceTension<double, 3> one_fluid(shipped_options<3>());
-    SurfaceTension<double, 3> two_phases(shipped_options<3>());
+    SurfaceTension<double, 3> one_fluid;
+    SurfaceTension<double, 3> two_phases;
     one_fluid.step(ball.view(), ball.size(), ball.radii(), SerialLoop{});
     two_phases.step(view, ball.size(), ball.radii(), SerialLoop{});
     int at_interface = 0;
@@ -43,7 +43,7 @@ std::vector<double> curvatures(const SurfaceParticles<double, 2>& surface) {
 
 SurfaceParticles<double, 2> stepped(const JitteredBall<double, 2>& ball,
                                     TemporalCurvature<double>* history) {
-    SurfaceTension<double, 2> tension(shipped_options<2>());
+    SurfaceTension<double, 2> tension;
     tension.history = history;
     tension.step(ball.view(), ball.size(), ball.radii(), SerialLoop{});
     return tension.surface();

@@ -2,7 +2,7 @@
 // cut off by a plane so that part of the sphere stays open, loose or crowded.
 #pragma once
 
-#include <meniscus/runtime/exact_coverage.hpp>
+#include <meniscus/runtime/coverage/exact_coverage.hpp>
 
 #include <gtest/gtest.h>
 #include <random>

@@ -1,7 +1,7 @@
 // Directions and what they say of the uncovered part: as a plain loop over the same directions
 // says, without bias, and close to the exact part.
-#include <meniscus/runtime/exact_coverage.hpp>
-#include <meniscus/runtime/sampled_coverage.hpp>
+#include <meniscus/runtime/coverage/exact_coverage.hpp>
+#include <meniscus/runtime/coverage/sampled_coverage.hpp>
 
 #include "random_caps.hpp"
 
@@ -97,7 +97,7 @@ TEST(SampleDirections, AreThoseOfTheSeedAndOfTheParticle) {
 TEST(SampleDirections, NumberFollowsTheTimeStep) {
     EXPECT_EQ(samples_for_time_step(0.001, 100000, 32), 100U);
     EXPECT_EQ(samples_for_time_step(0.0001, 100000, 32), 32U);
-    EXPECT_EQ(samples_for_time_step(1e30, 1e30, 32), most_samples);
+    EXPECT_EQ(samples_for_time_step(1e30, 1e30, 32), max_samples);
     EXPECT_EQ(samples_for_time_step(-1, 100000, 32), 32U);
 }
 
@@ -231,7 +231,7 @@ TEST(SampledCoverage, IsThatOfAPlainLoop) {
 }
 
 template <int Dimension>
-void test_against_exact(double largest_error_of_one, double largest_error_of_all) {
+void test_against_exact(double max_error_of_one, double max_error_of_all) {
     const auto directions = outward_directions<Dimension>(128);
     std::mt19937_64 engine(1);
     Sample of_one, of_all;
@@ -246,8 +246,8 @@ void test_against_exact(double largest_error_of_one, double largest_error_of_all
         }
         of_all.add(std::pow(mean - exact.fraction, 2));
     }
-    EXPECT_LT(std::sqrt(of_one.mean()), largest_error_of_one);
-    EXPECT_LT(std::sqrt(of_all.mean()), largest_error_of_all);
+    EXPECT_LT(std::sqrt(of_one.mean()), max_error_of_one);
+    EXPECT_LT(std::sqrt(of_all.mean()), max_error_of_all);
 }
 
 TEST(SampledCoverage, AgreesWithExactCoverageWithinTheErrorOfSampling) {

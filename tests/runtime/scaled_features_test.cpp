@@ -1,6 +1,6 @@
 // Features where every particle has a support radius of its own.
-#include <meniscus/runtime/classifier.hpp>
-#include <meniscus/runtime/surface_coefficients.hpp>
+#include <meniscus/runtime/coefficients/surface_3d.hpp>
+#include <meniscus/runtime/features/classifier.hpp>
 
 #include <gtest/gtest.h>
 #include <random>
@@ -18,14 +18,14 @@ struct Crowd {
     std::vector<std::size_t> offsets{0};
     std::vector<std::uint32_t> neighbors;
 
-    Crowd(std::size_t count, unsigned seed, Real largest_radius) {
+    Crowd(std::size_t count, unsigned seed, Real max_radius) {
         std::mt19937 random(seed);
         std::uniform_real_distribution<Real> coordinate(0, 2);
         for (std::size_t n = 0; n < count * Dimension; ++n)
             positions.push_back(coordinate(random));
         for (std::size_t n = 0; n < count; ++n) {
             masses.push_back(Real(0.5) + coordinate(random));
-            radii.push_back(1 + (largest_radius - 1) * coordinate(random) / 2);
+            radii.push_back(1 + (max_radius - 1) * coordinate(random) / 2);
             for (std::uint32_t j = 0; j < count; ++j)
                 neighbors.push_back(j);
             offsets.push_back(neighbors.size());
@@ -172,13 +172,12 @@ TYPED_TEST(ScaledFeatures, ClassifyByTheExportedLine) {
     const VaryingRadii<Real> radii{crowd.radii.data()};
     std::vector<std::uint8_t> surface(150, 7);
     const std::size_t found =
-        classify<SurfaceCoefficients, Real, 3>(crowd.view(), 10, 140, radii, surface.data());
+        classify<Surface3D, Real, 3>(crowd.view(), 10, 140, radii, surface.data());
     std::size_t expected = 0;
     for (std::size_t i = 0; i < 150; ++i) {
-        const auto sum = sum_features<Real, 3>(
-            crowd.view(), i, radii, neighbor_range<Real>(1, SurfaceCoefficients::radius_ratio));
-        const bool below = sum.count <= SurfaceCoefficients::k * mass_offset(sum, Real(1)) +
-                                            SurfaceCoefficients::d;
+        const auto sum = sum_features<Real, 3>(crowd.view(), i, radii,
+                                               neighbor_range<Real>(1, Surface3D::radius_ratio));
+        const bool below = sum.count <= Surface3D::k * mass_offset(sum, Real(1)) + Surface3D::d;
         if (i < 10 || i >= 140) {
             EXPECT_EQ(surface[i], 7) << i;
         } else {

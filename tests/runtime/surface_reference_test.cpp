@@ -1,5 +1,5 @@
 // The fast kernels of a step against the same in plain loops.
-#include <meniscus/runtime/surface_reference.hpp>
+#include "reference/surface_reference.hpp"
 
 #include "jittered_ball.hpp"
 
@@ -16,7 +16,7 @@ double tolerance() {
 template <class Real, int Dimension>
 struct Step {
     JitteredBall<Real, Dimension> ball{6, 0.2};
-    SurfaceTensionOptions options = shipped_options<Dimension>();
+    SurfaceTensionOptions options = completed({}, Dimension);
     SurfaceParticles<Real, Dimension> list;
     SampleDirections directions;
     HeldCells cells;
@@ -24,12 +24,12 @@ struct Step {
 
     Step() {
         fill_outward_directions<Dimension>(200, 1, directions);
-        options.d = 1000; // every particle, so that covered ones are tested as well
+        // Every particle, so that covered ones are tested as well.
         find_candidates<Real, Dimension>(ball.view(), ball.size(), ball.radii(),
                                          SurfaceLine<Real>{0, 1000}, 0.8, SerialLoop{}, list);
     }
 
-    void expose(const ExposureOptions& how, SurfaceParticles<Real, Dimension>& into) {
+    void expose(const SurfaceTensionOptions& how, SurfaceParticles<Real, Dimension>& into) {
         find_exposure<Real, Dimension>(ball.view(), NoBoundary{}, ball.radii(), nullptr, directions,
                                        cells, how, SerialLoop{}, memory.data(), into);
     }
@@ -38,20 +38,20 @@ struct Step {
 template <class Real, int Dimension>
 void expect_same_exposure(CoverageMethod method, Verification verification) {
     Step<Real, Dimension> step;
-    ExposureOptions how;
-    how.method = method;
+    SurfaceTensionOptions how;
+    how.coverage = method;
     how.verification = verification;
     auto plain = step.list;
     step.expose(how, step.list);
     ExactCoverage exact;
     find_exposure_reference<Real, Dimension>(step.ball.view(), step.ball.radii(), step.directions,
                                              step.cells.coarse, how, exact, plain);
-    const double largest_weight = 0.5 / 40; // of a sample, behind the particle
+    const double max_weight = 0.5 / 40; // of a sample, behind the particle
     int decided_otherwise = 0;
     for (std::size_t slot = 0; slot < step.list.size(); ++slot) {
         const double difference = std::abs(static_cast<double>(step.list.uncovered_fraction[slot] -
                                                                plain.uncovered_fraction[slot]));
-        EXPECT_LE(difference, 2 * largest_weight) << slot;
+        EXPECT_LE(difference, 2 * max_weight) << slot;
         if (difference > 1e-5) { // a sample on the edge of a cap
             ++decided_otherwise;
             continue;
@@ -59,9 +59,8 @@ void expect_same_exposure(CoverageMethod method, Verification verification) {
         EXPECT_EQ(step.list.surface_class[slot], plain.surface_class[slot]) << slot;
         EXPECT_NEAR(step.list.exposure[slot], plain.exposure[slot], 1e-5);
         for (int axis = 0; axis < Dimension; ++axis)
-            if (plain.exposure[slot] > Real(1e-3)) {
+            if (plain.exposure[slot] > Real(1e-3))
                 EXPECT_NEAR(step.list.normal[slot][axis], plain.normal[slot][axis], 1e-3);
-            }
     }
     EXPECT_LE(decided_otherwise, static_cast<int>(step.list.size() / 100));
 }
@@ -91,9 +90,9 @@ void expect_same_force() {
     const SerialLoop loop;
     smooth_normals<Real, Dimension>(step.options.tau, loop, step.list, normals);
     find_turning<Real, Dimension>(step.ball.radii(), loop, step.list);
-    find_mapped_curvature<Real, Dimension>(step.options.map, 0.8, step.ball.radii(), loop,
+    find_mapped_curvature<Real, Dimension>(step.options.curvature_map, 0.8, step.ball.radii(), loop,
                                            step.list, curvatures);
-    find_force<Real, Dimension>(step.options.force, step.ball.radii(), loop, step.list);
+    find_force<Real, Dimension>(step.options, step.ball.radii(), loop, step.list);
     int surface = 0;
     for (std::size_t slot = 0; slot < step.list.size(); ++slot) {
         surface += step.list.surface_class[slot] == SurfaceClass::surface ? 1 : 0;

@@ -1,11 +1,11 @@
 // The step as a whole: it bears whatever comes, and no result depends on how the work was spread.
 #include "fluids.hpp"
+#include "option_values.hpp"
 #include "threaded_loop.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
-#include <functional>
 #include <limits>
 #include <numeric>
 #include <string>
@@ -44,12 +44,12 @@ std::vector<SurfaceTensionOptions> all_options() {
     std::vector<SurfaceTensionOptions> all = {options_for<Dimension>(),
                                               options_for<Dimension>(paper_options())};
     all.push_back(all[0]);
-    all.back().exposure.method = CoverageMethod::exact;
+    all.back().coverage = CoverageMethod::exact;
     all.back().covariance_share = 0.5;
     all.back().curvature_passes = 2;
     all.push_back(all[0]);
     all.back().curvature = CurvatureForm::closed;
-    all.back().exposure.fade = 0;
+    all.back().fade = 0;
     all.back().normal_passes = 3;
     all.back().tau = 1;
     all.push_back(all[1]);
@@ -127,8 +127,8 @@ TYPED_TEST(SurfaceTensionStep, AbsurdScalesGiveNumbers) {
     for (const double radius : {1e9, 1e-9, 1e-15, 1e15})
         expect_finite_results(ball<Real, dimension>(3, 0.2, radius),
                               ("radius " + std::to_string(radius)).c_str());
-    const auto least = static_cast<double>(std::numeric_limits<Real>::min());
-    for (const double radius : {16 * least, 1 / (16 * least)}) {
+    const auto min = static_cast<double>(std::numeric_limits<Real>::min());
+    for (const double radius : {16 * min, 1 / (16 * min)}) {
         const auto fluid = ball<Real, dimension>(3, 0.2, radius);
         SurfaceTension<Real, dimension> tension(options_for<dimension>());
         EXPECT_THROW(tension.step(fluid.view(), fluid.size(), fluid.radii(), SerialLoop{}),
@@ -277,7 +277,7 @@ TYPED_TEST(SurfaceTensionStep, HostsOwnClassificationGivesTheSame) {
     const SurfaceLine<Real> line{static_cast<Real>(options.k), static_cast<Real>(options.d)};
     for (std::size_t i = 0; i < fluid.size(); ++i) {
         const auto sum = sum_features<Real, dimension>(
-            fluid.view(), i, neighbor_range<Real>(1, options.exposure.radius_ratio));
+            fluid.view(), i, neighbor_range<Real>(1, options.radius_ratio));
         candidates.push_back(is_surface(sum, line, Real(1)) ? 1 : 0);
         counts.push_back(sum.count);
     }
@@ -372,11 +372,11 @@ TYPED_TEST(SurfaceTensionStep, SurfaceIsCompleteWhateverTheSamples) {
     constexpr int dimension = TypeParam::dimension;
     const auto fluid = droplet<Real, dimension>();
     auto exact = options_for<dimension>();
-    exact.exposure.method = CoverageMethod::exact;
+    exact.coverage = CoverageMethod::exact;
     auto few = options_for<dimension>();
     few.samples = 4;
     auto dropping = few;
-    dropping.exposure.verification = Verification::drop;
+    dropping.verification = Verification::drop;
     const auto complete = surface_of(fluid, exact, SerialLoop{}).surface_class;
     EXPECT_EQ(surface_of(fluid, few, SerialLoop{}).surface_class, complete);
     const auto dropped = surface_of(fluid, dropping, SerialLoop{}).surface_class;
@@ -388,42 +388,109 @@ TYPED_TEST(SurfaceTensionStep, SurfaceIsCompleteWhateverTheSamples) {
     EXPECT_GT(lost, 0);
 }
 
-TEST(SurfaceTensionCheck, NamesWhatIsOutOfRange) {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    struct Case {
-        const char* name;
-        std::function<void(SurfaceTensionOptions&)> spoil;
-    };
-    const std::vector<Case> cases = {
-        {"k and d", [=](auto& o) { o.k = nan; }},
-        {"k and d", [](auto& o) { o.d = std::numeric_limits<double>::infinity(); }},
-        {"radius_ratio", [](auto& o) { o.exposure.radius_ratio = 1; }},
-        {"radius_ratio", [](auto& o) { o.exposure.radius_ratio = 0; }},
-        {"radius_ratio", [=](auto& o) { o.exposure.radius_ratio = nan; }},
-        {"samples", [](auto& o) { o.samples = 3; }},
-        {"samples", [](auto& o) { o.samples = 16385; }},
-        {"fade", [](auto& o) { o.exposure.fade = -0.1; }},
-        {"tau", [](auto& o) { o.tau = 1.1; }},
-        {"tau", [=](auto& o) { o.tau = nan; }},
-        {"normal_passes", [](auto& o) { o.normal_passes = -1; }},
-        {"covariance_share", [](auto& o) { o.covariance_share = 2; }},
-        {"curvature_passes", [](auto& o) { o.curvature_passes = -1; }},
-        {"surface_tension", [=](auto& o) { o.force.surface_tension = nan; }},
-        {"spacing_ratio", [](auto& o) { o.force.spacing_ratio = 0; }},
-        {"spacing_ratio", [=](auto& o) { o.force.spacing_ratio = nan; }},
-        {"curvature map", [](auto& o) { o.map = shipped_curvature_map(2); }},
-    };
-    EXPECT_NO_THROW((SurfaceTension<float, 3>(options_for<3>())));
-    for (const auto& [name, spoil] : cases) {
-        auto options = options_for<3>();
-        spoil(options);
-        try {
-            const SurfaceTension<float, 3> tension(options);
-            ADD_FAILURE() << name;
-        } catch (const std::invalid_argument& error) {
-            EXPECT_NE(std::string(error.what()).find(name), std::string::npos) << error.what();
-        }
+/// What a step of a jittered ball finds, byte by byte.
+template <class Real, int Dimension>
+std::vector<Real> numbers_of(SurfaceTension<Real, Dimension> tension) {
+    const auto fluid = ball<Real, Dimension>(Dimension == 3 ? 5 : 12, 0.2);
+    tension.step(fluid.view(), fluid.size(), fluid.radii(), SerialLoop{});
+    const auto& list = tension.surface();
+    std::vector<Real> numbers(list.uncovered_fraction);
+    numbers.insert(numbers.end(), list.curvature.begin(), list.curvature.end());
+    for (const auto& force : list.force)
+        numbers.insert(numbers.end(), force.begin(), force.end());
+    return numbers;
+}
+
+TYPED_TEST(SurfaceTensionStep, DefaultsAreTheLineAndTheMapThatShip) {
+    using Real = typename TypeParam::Real;
+    constexpr int dimension = TypeParam::dimension;
+    using Tension = SurfaceTension<Real, dimension>;
+    for (const bool paper : {false, true}) {
+        const auto defaults = paper ? paper_options() : SurfaceTensionOptions{};
+        auto options = defaults;
+        set_line(options, shipped_surface_line(dimension));
+        options.curvature_map = shipped_curvature_map(dimension);
+        const auto expected = numbers_of(Tension(options));
+        EXPECT_GT(expected.size(), 100U);
+        EXPECT_EQ(numbers_of(Tension(defaults)), expected);
+        EXPECT_EQ(numbers_of(Tension{}) == expected, !paper);
     }
+}
+
+/// Where the line and the number of samples are such that all have something to do.
+SurfaceTensionOptions busy_options() {
+    auto options = options_for<3>();
+    options.samples = 16;
+    return options;
+}
+
+TEST(SurfaceTensionOptions, EachChangesTheResult) {
+    const auto usual = numbers_of(SurfaceTension<double, 3>(busy_options()));
+    for_each_surface_option([&](const auto& option) {
+        auto options = busy_options();
+        set_other(option, options);
+        EXPECT_NE(numbers_of(SurfaceTension<double, 3>(options)), usual) << option.name;
+    });
+}
+
+/// That the constructor refuses the options, in these words.
+void expect_refused(const SurfaceTensionOptions& options, const std::vector<std::string>& words) {
+    try {
+        const SurfaceTension<float, 3> tension(options);
+        ADD_FAILURE() << words[0];
+    } catch (const std::invalid_argument& error) {
+        for (const std::string& word : words)
+            EXPECT_NE(std::string(error.what()).find(word), std::string::npos)
+                << error.what() << ", expected " << word;
+    }
+}
+
+TEST(SurfaceTensionCheck, NamesWhatIsOutOfRange) {
+    EXPECT_NO_THROW((SurfaceTension<float, 3>(options_for<3>())));
+    int refused = 0;
+    for_each_surface_option([&](const auto& option) {
+        auto words = words_of(option.range);
+        words.emplace_back(option.name);
+        for (const auto value : values_out_of_range(option)) {
+            auto options = options_for<3>();
+            options.*option.member = value;
+            expect_refused(options, words);
+            ++refused;
+        }
+    });
+    EXPECT_GT(refused, 40);
+    auto options = options_for<3>();
+    options.curvature_map = shipped_curvature_map(2);
+    expect_refused(options, {"curvature_map"});
+    options.curvature = CurvatureForm::closed;
+    EXPECT_NO_THROW((SurfaceTension<float, 3>(options)));
+}
+
+TEST(SurfaceTensionCheck, TakesTheEndsOfEachRange) {
+    for_each_surface_option([&](const auto& option) {
+        using Value = std::decay_t<decltype(std::declval<SurfaceTensionOptions>().*option.member)>;
+        for (const double end : {option.range.min, option.range.max}) {
+            auto options = options_for<3>();
+            options.*option.member = end < 1e19 || std::is_floating_point_v<Value>
+                                         ? static_cast<Value>(end)
+                                         : static_cast<Value>(-1); // the largest of a seed
+            EXPECT_NO_THROW(check(options, 3)) << option.name;
+        }
+    });
+}
+
+TEST(SurfaceTensionCheck, HistoryHasAShareBelow1) {
+    const auto fluid = ball<double, 3>(3, 0.2);
+    SurfaceTension<double, 3> tension;
+    TemporalCurvature<double> history;
+    tension.history = &history;
+    for (const double share : {-0.1, 1.0, std::numeric_limits<double>::quiet_NaN()}) {
+        history.share = share;
+        EXPECT_THROW(tension.step(fluid.view(), fluid.size(), fluid.radii(), SerialLoop{}),
+                     std::invalid_argument);
+    }
+    history.share = 0;
+    EXPECT_NO_THROW(tension.step(fluid.view(), fluid.size(), fluid.radii(), SerialLoop{}));
 }
 
 } // namespace

@@ -2,8 +2,8 @@
 // on one that is graded smoothly, each particle with a support radius of its own.
 #include "labeler/droplets.hpp"
 
-#include <meniscus/data/neighbor_search.hpp>
-#include <meniscus/runtime/surface_tension.hpp>
+#include <meniscus/data/particles/neighbor_search.hpp>
+#include <meniscus/runtime/surface/surface_tension.hpp>
 
 #include <gtest/gtest.h>
 
@@ -22,8 +22,8 @@ struct Stepped {
 
     Stepped(const test::Droplet& droplet, const Vector3& middle, double ball_radius,
             SurfaceTensionOptions options)
-        : tension((options.d = 1e6, options.force.surface_tension = sigma, options)),
-          center(middle), radius(ball_radius) {
+        : tension((options.d = 1e6, options.surface_tension = sigma, options)), center(middle),
+          radius(ball_radius) {
         const auto lists = find_neighbors(droplet.snapshot.positions, SupportRadii(droplet.radii));
         for (std::size_t i = 0; i < droplet.radii.size(); ++i) {
             for (int axis = 0; axis < Dimension; ++axis)
@@ -82,9 +82,9 @@ SideMeans means_of(const Stepped<Real, Dimension>& state, double side) {
 template <class Real, int Dimension>
 void expect_sphere(const test::Droplet& droplet, const Vector3& center, double radius,
                    double tolerance) {
-    SurfaceTensionOptions options = shipped_options<Dimension>();
+    SurfaceTensionOptions options = completed({}, Dimension);
     for (const CoverageMethod method : {CoverageMethod::exact, CoverageMethod::sampled}) {
-        options.exposure.method = method;
+        options.coverage = method;
         const Stepped<Real, Dimension> state(droplet, center, radius, options);
         for (const double side : {-1.0, 1.0}) {
             const SideMeans means = means_of(state, side);

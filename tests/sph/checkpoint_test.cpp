@@ -1,10 +1,10 @@
 // A checkpoint comes back as it was, or not at all: no damage to its file goes unnoticed.
 #include "small_scenes.hpp"
 
-#include <meniscus/data/errors.hpp>
-#include <meniscus/sph/checkpoint.hpp>
+#include <meniscus/data/text/errors.hpp>
+#include <meniscus/sph/run/checkpoint.hpp>
 
-#include "../data/test_folder.hpp"
+#include "data/test_folder.hpp"
 
 #include <cstring>
 #include <random>
@@ -15,7 +15,7 @@ namespace {
 class Checkpoints : public TestFolder {
 protected:
     static Scene scene() {
-        Scene scene = drop_scene(empty_scene(3, PressureSolverKind::dfsph), 1.5);
+        Scene scene = drop_scene(empty_scene(3, "dfsph"), 1.5);
         scene.fluid[0].velocity = {0.3, 0.1, -0.7};
         return scene;
     }

@@ -1,6 +1,6 @@
 // Droplets without gravity under our surface tension, coarse: what docs/simulation.md measures at
 // length.
-#include "droplet_runs.hpp"
+#include "simulation/droplet_runs.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -40,8 +40,8 @@ TEST(Droplets, OscillateInTwoDimensions) {
 
 TEST(Droplets, OfACubeGetRoundWithTenSamples) {
     Scene scene = coarse_cube();
-    scene.surface_tension.samples = 10;
-    scene.surface_tension.verify = false;
+    scene.surface_tension.surface.samples = 10;
+    scene.surface_tension.surface.verification = Verification::drop;
     const DropletRun run = run_droplet(scene);
     EXPECT_EQ(run.summary.failure, "");
     EXPECT_LT(run.deviation, 0.03); // of the cube 0.125
@@ -55,10 +55,10 @@ TEST(Droplets, KeepTheirMomentum) {
         Scene scene = coarse_cube();
         scene.precision = precision;
         scene.duration = 0.2;
-        EXPECT_LT(run_droplet(scene).summary.largest_momentum, 1e-6);
+        EXPECT_LT(run_droplet(scene).summary.max_momentum, 1e-6);
         scene.surface_tension.balance_momentum = false;
-        scene.surface_tension.samples = 10; // that the option is what keeps it
-        EXPECT_GT(run_droplet(scene).summary.largest_momentum, 1e-4);
+        scene.surface_tension.surface.samples = 10; // that the option is what keeps it
+        EXPECT_GT(run_droplet(scene).summary.max_momentum, 1e-4);
     }
 }
 
@@ -79,7 +79,7 @@ TEST(Droplets, ThatTouchMerge) {
     double first = -1;
     double last = 0;
     Positions positions;
-    const RunSummary run = run_scene(
+    const RunSummary run = watch_run(
         scene, fill_scene(scene),
         [&](const Simulation& simulation, const StepReport&) {
             last = neck_radius(simulation.state(), scene.particle_spacing);

@@ -1,5 +1,5 @@
 // Longer runs of droplets: that they come to the shape and the rest that they should.
-#include "droplet_runs.hpp"
+#include "simulation/droplet_runs.hpp"
 
 #include <gtest/gtest.h>
 
@@ -30,12 +30,11 @@ TEST(DropletValidation, TwoCubesBecomeABall) {
 }
 
 TEST(DropletValidation, OscillatesWithLambsPeriodUnderEachSolver) {
-    for (const auto solver : {PressureSolverKind::wcsph, PressureSolverKind::pcisph,
-                              PressureSolverKind::iisph, PressureSolverKind::dfsph}) {
+    for (const char* const solver : {"wcsph", "pcisph", "iisph", "dfsph"}) {
         Scene scene = stretched_droplet(3, 10);
         scene.pressure.solver = solver;
         const Oscillation found = watch_oscillation(scene);
-        EXPECT_NEAR(found.period / found.theory, 1, 0.1) << static_cast<int>(solver);
+        EXPECT_NEAR(found.period / found.theory, 1, 0.1) << solver;
     }
 }
 

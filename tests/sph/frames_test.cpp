@@ -4,7 +4,7 @@
 #include "small_scenes.hpp"
 
 #include <meniscus/labeler/labeler.hpp>
-#include <meniscus/sph/step.hpp>
+#include <meniscus/sph/step/step.hpp>
 
 #include <cstring>
 
@@ -12,16 +12,16 @@ namespace meniscus {
 namespace {
 
 /// A compressed drop with a hump, which moves in all directions.
-Scene moving_drop(int dimension, Precision precision, PressureSolverKind solver) {
+Scene moving_drop(int dimension, Precision precision, std::string_view solver) {
     Scene scene = drop_scene(empty_scene(dimension, solver, precision), dimension == 3 ? 3.4 : 6.3);
     scene.volume_share = 1.05;
     scene.fluid[0].velocity = {0.1, 0.4, 0};
     BoxShape hump = box_of(scene, {2, 3, 2}, {0, dimension == 3 ? 0.4 : 0.7, 0});
     scene.fluid.push_back({hump, {-0.5, -0.5, 0}});
     scene.viscosity = {0.02, true, 0.05};
-    scene.surface_tension.model = TensionModel::meniscus;
+    scene.surface_tension.model = "meniscus";
     scene.surface_tension.coefficient = 10;
-    scene.surface_tension.samples = 32;
+    scene.surface_tension.surface.samples = 32;
     return scene;
 }
 
@@ -41,7 +41,7 @@ void expect_same_state(const SimulationState& a, const SimulationState& b) {
 
 TEST(Frames, HaveTheDensityOfTheirPositions) {
     for (const int dimension : {2, 3}) {
-        const Scene scene = moving_drop(dimension, Precision::float64, PressureSolverKind::dfsph);
+        const Scene scene = moving_drop(dimension, Precision::float64, "dfsph");
         const auto simulation = start(scene);
         for (int frame = 0; frame < 3; ++frame) {
             const Snapshot snapshot = simulation->snapshot();
@@ -80,7 +80,7 @@ TEST(Frames, ChangeNoBitOfWhatFollows) {
 }
 
 TEST(Frames, AreTheSameFromAResumedState) {
-    const Scene scene = moving_drop(3, Precision::float32, PressureSolverKind::iisph);
+    const Scene scene = moving_drop(3, Precision::float32, "iisph");
     const auto first = start(scene);
     run_until(*first, 0.03);
     const auto resumed = simulate(scene, fill_scene(scene), first->state(), 1);
@@ -93,7 +93,7 @@ TEST(Frames, AreTheSameFromAResumedState) {
 }
 
 TEST(Frames, ComeFromASortThatChangesNothingTheSecondTime) {
-    const Scene scene = moving_drop(3, Precision::float32, PressureSolverKind::dfsph);
+    const Scene scene = moving_drop(3, Precision::float32, "dfsph");
     const SceneParticles particles = fill_scene(scene);
     SimulationState looked_at = start(scene)->state(); // in the order of ids
     SimulationState plain = looked_at;
@@ -112,10 +112,10 @@ TEST(Frames, HaveTheSurfaceOfTheirPositions) {
     // Nothing exposed is missed; and where the line takes all for candidates, nothing is added.
     for (const int dimension : {2, 3})
         for (const bool shipped_line : {false, true}) {
-            Scene scene = moving_drop(dimension, Precision::float64, PressureSolverKind::dfsph);
+            Scene scene = moving_drop(dimension, Precision::float64, "dfsph");
             if (!shipped_line) {
-                scene.surface_tension.k = 0;
-                scene.surface_tension.d = 1000;
+                scene.surface_tension.surface.k = 0;
+                scene.surface_tension.surface.d = 1000;
             }
             const auto simulation = start(scene);
             for (int frame = 0; frame < 4; ++frame) {
@@ -140,8 +140,8 @@ TEST(Frames, HaveTheSurfaceOfTheirPositions) {
 
 TEST(Frames, HaveTheSurfaceAreaOfTheirPositions) {
     for (const int dimension : {2, 3}) {
-        Scene scene = drop_scene(empty_scene(dimension, PressureSolverKind::dfsph), 6.5);
-        scene.surface_tension.model = TensionModel::meniscus;
+        Scene scene = drop_scene(empty_scene(dimension, "dfsph"), 6.5);
+        scene.surface_tension.model = "meniscus";
         const auto simulation = start(scene);
         const double n = static_cast<double>(simulation->size());
         const double pi = 3.14159265358979;

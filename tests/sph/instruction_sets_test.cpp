@@ -1,6 +1,7 @@
 // The step gives the same bits with every instruction set that this machine has, and with one
 // thread as with two.
-#include <meniscus/sph/step.hpp>
+#include <meniscus/sph/scene/methods.hpp>
+#include <meniscus/sph/step/step.hpp>
 
 #include <cmath>
 #include <cstring>
@@ -11,11 +12,9 @@
 namespace meniscus {
 namespace {
 
-using MakeStep = std::unique_ptr<Step> (*)(const Scene&, const SceneParticles&, int);
-
 /// A drop that falls on a floor, h = 0.1 m, with every force that a scene can have.
-Scene drop_scene(int dimension, Precision precision, PressureSolverKind solver,
-                 TensionModel model) {
+Scene drop_scene(int dimension, Precision precision, std::string_view solver,
+                 std::string_view model) {
     Scene scene;
     scene.dimension = dimension;
     scene.precision = precision;
@@ -25,13 +24,13 @@ Scene drop_scene(int dimension, Precision precision, PressureSolverKind solver,
     scene.domain = {{{-2, -2, -2}, {2, 2, 2}}};
     scene.pressure.solver = solver;
     scene.pressure.sound_speed = 20;
-    scene.pressure.most_iterations = 8; // the bits are the point, not the density
+    scene.pressure.max_iterations = 8; // the bits are the point, not the density
     scene.viscosity.kinematic = 0.01;
     scene.viscosity.xsph = 0.05;
     scene.viscosity.density_correction = true;
     scene.surface_tension.model = model;
     scene.surface_tension.coefficient = 0.1;
-    scene.surface_tension.samples = 32;
+    scene.surface_tension.surface.samples = 32;
     scene.time_step.fixed = 0.001;
     return scene;
 }
@@ -57,12 +56,11 @@ SceneParticles drop_particles(const Scene& scene) {
 }
 
 /// After three steps, in the order that the step keeps.
-SimulationState state_after_steps(MakeStep make, const Scene& scene, int threads) {
+SimulationState state_after_steps(const Scene& scene, int threads,
+                                  InstructionSet set = InstructionSet::baseline) {
     const SceneParticles particles = drop_particles(scene);
-    const auto step = make(scene, particles, threads);
+    const auto step = make_step(scene, particles, threads, set);
     SimulationState state;
-    if (!step)
-        return state;
     const std::size_t count = particles.positions.size();
     state.positions = particles.positions;
     state.velocities = particles.velocities;
@@ -89,30 +87,20 @@ void expect_same(const SimulationState& a, const SimulationState& b, const char*
 }
 
 void expect_same_everywhere(const Scene& scene) {
-    const SimulationState baseline = state_after_steps(make_step_baseline, scene, 1);
+    const SimulationState baseline = state_after_steps(scene, 1);
     ASSERT_EQ(baseline.steps, 3U);
-    for (const auto& [name, make] :
-         {std::pair<const char*, MakeStep>{"avx2", make_step_avx2}, {"avx512", make_step_avx512}}) {
-        const SimulationState wide = state_after_steps(make, scene, 1);
-        if (!wide.ids.empty()) // a set that this machine has
-            expect_same(wide, baseline, name);
-    }
+    for (const InstructionSet set : instruction_sets)
+        if (set != InstructionSet::baseline && is_supported(set))
+            expect_same(state_after_steps(scene, 1, set), baseline, name_of(set));
 }
 
-constexpr std::array<std::pair<PressureSolverKind, const char*>, 4> solvers = {
-    {{PressureSolverKind::wcsph, "WCSPH"},
-     {PressureSolverKind::pcisph, "PCISPH"},
-     {PressureSolverKind::iisph, "IISPH"},
-     {PressureSolverKind::dfsph, "DFSPH"}}};
-
-constexpr std::array<std::pair<TensionModel, const char*>, 7> models = {
-    {{TensionModel::none, "none"},
-     {TensionModel::meniscus, "meniscus"},
-     {TensionModel::becker_2007, "Becker"},
-     {TensionModel::huber_2015, "Huber"},
-     {TensionModel::akinci_2013, "Akinci"},
-     {TensionModel::he_2014, "He"},
-     {TensionModel::color_field, "color field"}}};
+/// All models of surface tension, and none.
+std::vector<std::string> tension_names() {
+    std::vector<std::string> names{"none"};
+    for (const TensionModelRow& model : tension_models())
+        names.emplace_back(model.name);
+    return names;
+}
 
 /// Calls body(dimension, precision) for all four.
 void for_each_kind(const std::function<void(int, Precision)>& body) {
@@ -122,20 +110,19 @@ void for_each_kind(const std::function<void(int, Precision)>& body) {
 }
 
 TEST(InstructionSets, GiveTheSameBitsWithEachPressureSolver) {
-    for (const auto& [solver, name] : solvers)
-        for_each_kind([&, solver = solver, name = name](int dimension, Precision precision) {
-            SCOPED_TRACE(name);
-            expect_same_everywhere(
-                drop_scene(dimension, precision, solver, TensionModel::akinci_2013));
+    for (const PressureSolverRow& row : pressure_solvers())
+        for_each_kind([&, solver = row.name](int dimension, Precision precision) {
+            SCOPED_TRACE(solver);
+            expect_same_everywhere(drop_scene(dimension, precision, solver, "akinci_2013"));
         });
 }
 
 TEST(InstructionSets, GiveTheSameBitsWithEachSurfaceTension) {
-    for (const auto& [model, name] : models)
+    for (const std::string& model : tension_names())
         for (const KernelKind kernel : {KernelKind::cubic_spline, KernelKind::mueller})
-            for_each_kind([&, model = model, name = name](int dimension, Precision precision) {
-                SCOPED_TRACE(name);
-                Scene scene = drop_scene(dimension, precision, PressureSolverKind::dfsph, model);
+            for_each_kind([&](int dimension, Precision precision) {
+                SCOPED_TRACE(model);
+                Scene scene = drop_scene(dimension, precision, "dfsph", model);
                 scene.kernel = kernel;
                 expect_same_everywhere(scene);
             });
@@ -143,18 +130,17 @@ TEST(InstructionSets, GiveTheSameBitsWithEachSurfaceTension) {
 
 TEST(InstructionSets, GiveTheSameBitsWithForcesOnTheSurfaceOnly) {
     for_each_kind([](int dimension, Precision precision) {
-        Scene scene =
-            drop_scene(dimension, precision, PressureSolverKind::iisph, TensionModel::he_2014);
+        Scene scene = drop_scene(dimension, precision, "iisph", "he_2014");
         scene.surface_tension.restrict_to_surface = true;
         expect_same_everywhere(scene);
     });
 }
 
 TEST(InstructionSets, GiveTheSameBitsInShortSteps) {
-    for (const auto& [solver, name] : solvers)
-        for_each_kind([&, solver = solver, name = name](int dimension, Precision precision) {
-            SCOPED_TRACE(name);
-            Scene scene = drop_scene(dimension, precision, solver, TensionModel::akinci_2013);
+    for (const PressureSolverRow& row : pressure_solvers())
+        for_each_kind([&, solver = row.name](int dimension, Precision precision) {
+            SCOPED_TRACE(solver);
+            Scene scene = drop_scene(dimension, precision, solver, "akinci_2013");
             scene.time_step.fixed = 1e-7;
             expect_same_everywhere(scene);
         });
@@ -162,40 +148,38 @@ TEST(InstructionSets, GiveTheSameBitsInShortSteps) {
 
 TEST(Steps, GoOnFromAStateAlone) {
     // Of usual length, then short: what a step keeps beside the state must not count.
-    for (const auto& [solver, name] : solvers)
-        for_each_kind([&, solver = solver, name = name](int dimension, Precision precision) {
-            const Scene scene = drop_scene(dimension, precision, solver, TensionModel::akinci_2013);
+    for (const PressureSolverRow& row : pressure_solvers())
+        for_each_kind([&, solver = row.name](int dimension, Precision precision) {
+            const Scene scene = drop_scene(dimension, precision, solver, "akinci_2013");
             const SceneParticles particles = drop_particles(scene);
-            SimulationState state = state_after_steps(make_step_baseline, scene, 1);
+            SimulationState state = state_after_steps(scene, 1);
             SimulationState other = state;
-            const auto step = make_step_baseline(scene, particles, 1);
+            const auto step = make_step(scene, particles, 1, InstructionSet::baseline);
             for (const double longest : {1.0, 1e-7, 1e-7, 1e-7, 1.0}) {
                 step->advance(state, longest);
-                make_step_baseline(scene, particles, 1)->advance(other, longest);
-                expect_same(state, other, name);
+                make_step(scene, particles, 1, InstructionSet::baseline)->advance(other, longest);
+                expect_same(state, other, solver);
             }
         });
 }
 
 TEST(Threads, ChangeNoBit) {
-    for (const TensionModel model : {TensionModel::meniscus, TensionModel::akinci_2013}) {
-        const Scene scene = drop_scene(3, Precision::float32, PressureSolverKind::dfsph, model);
-        expect_same(state_after_steps(make_step_baseline, scene, 2),
-                    state_after_steps(make_step_baseline, scene, 1), "two threads");
+    for (const std::string_view model : {"meniscus", "akinci_2013"}) {
+        const Scene scene = drop_scene(3, Precision::float32, "dfsph", model);
+        expect_same(state_after_steps(scene, 2), state_after_steps(scene, 1), "two threads");
     }
 }
 
 TEST(SurfaceTensionModels, OfASceneChangeItsMotion) {
     // Each model is there, and is another than the others.
     std::vector<SimulationState> states;
-    for (const auto& [model, name] : models)
-        states.push_back(state_after_steps(
-            make_step_baseline, drop_scene(3, Precision::float64, PressureSolverKind::dfsph, model),
-            1));
+    const std::vector<std::string> models = tension_names();
+    for (const std::string& model : models)
+        states.push_back(state_after_steps(drop_scene(3, Precision::float64, "dfsph", model), 1));
     for (std::size_t a = 0; a < states.size(); ++a)
         for (std::size_t b = 0; b < a; ++b)
             EXPECT_FALSE(same_bits(states[a].velocities, states[b].velocities))
-                << models[a].second << " and " << models[b].second;
+                << models[a] << " and " << models[b];
 }
 
 } // namespace

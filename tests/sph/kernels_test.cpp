@@ -1,4 +1,4 @@
-#include <meniscus/sph/color_field.hpp>
+#include <meniscus/sph/tension/color_field.hpp>
 
 #include "sample_fluids.hpp"
 
@@ -15,7 +15,7 @@ public:
     template <class Function>
     static double at(double q, const Function& function) {
         const auto real = static_cast<Real>(q);
-        return static_cast<double>(function(all_lanes_of<Real>(real * real))[0]);
+        return static_cast<double>(function(all_lanes<Lanes<Real>>(real * real))[0]);
     }
 
     /// The integral of f(q) over the ball (in 2D the disk) of radius 1.

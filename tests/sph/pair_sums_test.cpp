@@ -1,6 +1,4 @@
-#include <meniscus/sph/step_headers.hpp>
-
-#include <meniscus/sph/neighbor_lists.hpp>
+#include <meniscus/sph/fluid/neighbor_lists.hpp>
 
 #include "sample_fluids.hpp"
 
@@ -93,10 +91,10 @@ TYPED_TEST(PairSums, PressureAccelerationIsTheSumOverAllPairs) {
             expected[i] =
                 sum_of(expected[i], product_of(-pressure[i], plain_wall_gradient(plain, i)));
         }
-        const double largest = largest_of(expected);
+        const double max = max_over(expected);
         for (std::size_t i = 0; i < plain.size(); ++i) {
             const Place found = sample.in_metres(pressure_acceleration(sample.fluid, i));
-            EXPECT_LT(length_of(difference_of(found, expected[i])), this->tolerance * largest);
+            EXPECT_LT(length_of(difference_of(found, expected[i])), this->tolerance * max);
         }
     });
 }
@@ -104,7 +102,7 @@ TYPED_TEST(PairSums, PressureAccelerationIsTheSumOverAllPairs) {
 TYPED_TEST(PairSums, CompressionRateIsTheSumOverAllPairs) {
     this->for_each_fluid([&](const PlainFluid& plain, auto& sample) {
         std::vector<double> expected;
-        double largest = 0;
+        double max = 0;
         for (std::size_t i = 0; i < plain.size(); ++i) {
             double rate = dot_of(plain.velocities[i], plain_wall_gradient(plain, i));
             plain.visit(i, [&](std::size_t j) {
@@ -112,11 +110,11 @@ TYPED_TEST(PairSums, CompressionRateIsTheSumOverAllPairs) {
                                             plain.kernel().gradient(plain.x_ij(i, j)));
             });
             expected.push_back(rate / plain.rest_density);
-            largest = std::max(largest, std::abs(expected[i]));
+            max = std::max(max, std::abs(expected[i]));
         }
         for (std::size_t i = 0; i < plain.size(); ++i)
             EXPECT_NEAR(compression_rate(sample.fluid, sample.fluid.velocity, i), expected[i],
-                        this->tolerance * largest);
+                        this->tolerance * max);
     });
 }
 

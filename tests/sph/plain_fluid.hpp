@@ -2,7 +2,7 @@
 // compared with. Slow and plain on purpose; shares no formula and no code with the step.
 #pragma once
 
-#include <meniscus/sph/scene.hpp>
+#include <meniscus/sph/scene/scene.hpp>
 
 #include <array>
 #include <cmath>

@@ -4,9 +4,7 @@
 
 #include "plain_fluid.hpp"
 
-#include <meniscus/sph/step_headers.hpp>
-
-#include <meniscus/sph/pair_sums.hpp>
+#include <meniscus/sph/fluid/pair_sums.hpp>
 
 #include <gtest/gtest.h>
 #include <random>
@@ -178,11 +176,11 @@ inline PlainFluid particle_pair(int dimension, KernelKind kernel, double h, doub
 }
 
 /// The largest length among vectors.
-inline double largest_of(const std::vector<Place>& vectors) {
-    double largest = 0;
+inline double max_over(const std::vector<Place>& vectors) {
+    double max = 0;
     for (const Place& vector : vectors)
-        largest = std::max(largest, length_of(vector));
-    return largest;
+        max = std::max(max, length_of(vector));
+    return max;
 }
 
 } // namespace meniscus

@@ -1,13 +1,15 @@
-#include <meniscus/sph/scene.hpp>
+#include <meniscus/sph/scene/scene.hpp>
 
 #include "data/test_folder.hpp"
+#include "runtime/option_values.hpp"
 
-#include <meniscus/data/errors.hpp>
-#include <meniscus/data/json_reader.hpp>
+#include <meniscus/data/json/json_reader.hpp>
+#include <meniscus/data/text/errors.hpp>
 
 #include <functional>
 #include <gtest/gtest.h>
 #include <random>
+#include <set>
 
 namespace meniscus {
 namespace {
@@ -38,13 +40,13 @@ const char* full_scene = R"({
   ],
   "gravity": [0, -9.81, 0], "domain": {"low": [-50, -50, -50], "high": [50, 50, 50]},
   "kernel": "mueller",
-  "pressure": {"solver": "iisph", "density_error": 0.01, "least_iterations": 3,
-               "most_iterations": 50, "clip_negative": false, "relaxation": 0.4,
+  "pressure": {"solver": "iisph", "density_error": 0.01, "min_iterations": 3,
+               "max_iterations": 50, "clip_negative": false, "relaxation": 0.4,
                "accelerate": false},
   "viscosity": {"kinematic": 0.02, "density_correction": true, "xsph": 0.1},
-  "surface_tension": {"model": "meniscus", "coefficient": 3, "samples": 64, "verify": false,
+  "surface_tension": {"model": "meniscus", "coefficient": 3, "samples": 64, "verification": "exact",
                       "balance_momentum": false, "k": 74.7, "d": 28, "paper": true},
-  "time_step": {"courant_factor": 0.5, "smallest": 0.0001, "largest": 0.002},
+  "time_step": {"courant_factor": 0.5, "min": 0.0001, "max": 0.002},
   "variants": {
     "large": {"particle_spacing": 0.05, "pressure": {"density_error": 0.001}},
     "still": {"gravity": null, "surface_tension": null}
@@ -97,7 +99,7 @@ TEST_F(SceneFile, LeavesOutWhatIsNotNamed) {
     EXPECT_EQ(read.pressure.density_error, 0.0005);
     EXPECT_EQ(read.viscosity.kinematic, 0);
     EXPECT_EQ(read.viscosity.xsph, 0);
-    EXPECT_EQ(read.surface_tension.model, TensionModel::none);
+    EXPECT_EQ(read.surface_tension.model, "none");
     EXPECT_FALSE(read.time_step.fixed);
 }
 
@@ -114,27 +116,27 @@ TEST_F(SceneFile, ReadsEveryValue) {
     EXPECT_EQ(read.gravity, (Place{0, -9.81, 0}));
     EXPECT_EQ((*read.domain)[1], (Place{50, 50, 50}));
     EXPECT_EQ(read.kernel, KernelKind::mueller);
-    EXPECT_EQ(read.pressure.solver, PressureSolverKind::iisph);
+    EXPECT_EQ(read.pressure.solver, "iisph");
     EXPECT_EQ(read.pressure.density_error, 0.01);
-    EXPECT_EQ(read.pressure.least_iterations, 3);
-    EXPECT_EQ(read.pressure.most_iterations, 50);
+    EXPECT_EQ(read.pressure.min_iterations, 3);
+    EXPECT_EQ(read.pressure.max_iterations, 50);
     EXPECT_FALSE(read.pressure.clip_negative);
     EXPECT_EQ(read.pressure.relaxation, 0.4);
     EXPECT_FALSE(read.pressure.accelerate);
     EXPECT_EQ(read.viscosity.kinematic, 0.02);
     EXPECT_TRUE(read.viscosity.density_correction);
     EXPECT_EQ(read.viscosity.xsph, 0.1);
-    EXPECT_EQ(read.surface_tension.model, TensionModel::meniscus);
+    EXPECT_EQ(read.surface_tension.model, "meniscus");
     EXPECT_EQ(read.surface_tension.coefficient, 3);
-    EXPECT_EQ(read.surface_tension.samples, 64);
-    EXPECT_FALSE(read.surface_tension.verify);
     EXPECT_FALSE(read.surface_tension.balance_momentum);
-    EXPECT_EQ(read.surface_tension.k, 74.7);
-    EXPECT_EQ(read.surface_tension.d, 28);
-    EXPECT_TRUE(read.surface_tension.paper);
+    EXPECT_EQ(read.surface_tension.surface.samples, 64U);
+    EXPECT_EQ(read.surface_tension.surface.verification, Verification::exact);
+    EXPECT_EQ(read.surface_tension.surface.k, 74.7);
+    EXPECT_EQ(read.surface_tension.surface.d, 28);
+    EXPECT_EQ(read.surface_tension.surface.force, ForceForm::paper); // the paper's choice
     EXPECT_EQ(read.time_step.courant_factor, 0.5);
-    EXPECT_EQ(read.time_step.smallest, 0.0001);
-    EXPECT_EQ(read.time_step.largest, 0.002);
+    EXPECT_EQ(read.time_step.min, 0.0001);
+    EXPECT_EQ(read.time_step.max, 0.002);
 }
 
 TEST_F(SceneFile, ReadsEveryShape) {
@@ -197,7 +199,7 @@ TEST_F(SceneFile, VariantsAreMergedIn) {
     EXPECT_EQ(large.pressure.relaxation, 0.4);
     const Scene still = scene(full_scene, "still");
     EXPECT_EQ(still.gravity, Place{});
-    EXPECT_EQ(still.surface_tension.model, TensionModel::none);
+    EXPECT_EQ(still.surface_tension.model, "none");
     EXPECT_EQ(still.particle_spacing, 0.1);
 }
 
@@ -264,8 +266,8 @@ TEST_F(SceneFile, NamesWhatIsOutOfRange) {
         {"/kernel", {"cubic", 1}},
         {"/pressure/solver", {"sph", 1}},
         {"/pressure/density_error", {0, -1, 0.6}},
-        {"/pressure/least_iterations", {-1, 51, 2.5}},
-        {"/pressure/most_iterations", {0, 1e9}},
+        {"/pressure/min_iterations", {-1, 51, 2.5}},
+        {"/pressure/max_iterations", {0, 1e9}},
         {"/pressure/clip_negative", {1, "yes"}},
         {"/pressure/relaxation", {0, 1.1}},
         {"/pressure/accelerate", {1}},
@@ -274,8 +276,11 @@ TEST_F(SceneFile, NamesWhatIsOutOfRange) {
         {"/viscosity/xsph", {-0.1, 1.1}},
         {"/surface_tension/model", {"none", "akinci", 1}},
         {"/surface_tension/coefficient", {-1, huge}},
-        {"/surface_tension/samples", {3, 1e9, 10.5}},
+        {"/surface_tension/samples", {3, 1e9, 10.5, "64"}},
+        {"/surface_tension/seed", {-1, 0.5, 1e20, true}},
         {"/surface_tension/k", {huge, "1"}},
+        {"/surface_tension/verification", {true, "verify"}},
+        {"/surface_tension/paper", {1}},
         {"/time_step/courant_factor", {0, 11}},
         {"/time_step/smallest", {0, 0.003}},
         {"/time_step/largest", {0, 2}}};
@@ -320,7 +325,11 @@ TEST_F(SceneFile, NamesKeysThatContradictEachOther) {
                                {{"solver", "wcsph"}, {"sound_speed", 88}, {"density_error", 0.01}}),
                     {"'pressure.density_error'", "wcsph"});
     expect_mentions(error_with("/surface_tension/model", "akinci_2013"),
-                    {"'surface_tension.samples'", "meniscus alone"});
+                    {"'surface_tension.balance_momentum'", "meniscus alone"});
+    expect_mentions(error_with("/surface_tension/coverage", "exact"),
+                    {"'surface_tension.samples'", "coverage exact"});
+    expect_mentions(error_with("/surface_tension/verify", false),
+                    {"'surface_tension.verify'", "now named 'verification'"});
     expect_mentions(error_with("/surface_tension/restrict_to_surface", true),
                     {"'surface_tension.restrict_to_surface'"});
     expect_mentions(error(full_scene, [](Json& json) { json["surface_tension"].erase("d"); }),
@@ -386,10 +395,70 @@ TEST_F(SceneFile, TextChangesWithEveryValue) {
             entry = "single";
         else if (place == "/kernel")
             entry = "cubic_spline";
+        else if (place == "/surface_tension/verification")
+            entry = "drop";
         else
             entry = "-y"; // open sides
         EXPECT_NE(text, scene_text(scene(changed.dump()))) << place;
     }
+}
+
+/// The full scene with the options of the paper or the project, and one of its own.
+template <class Value>
+std::string with_option(bool paper, const SurfaceOption<Value>& option, Value value) {
+    Json json = Json::parse(full_scene);
+    Json& section = json["surface_tension"];
+    section = {{"model", "meniscus"}, {"coefficient", 3}, {"paper", paper}, {"k", 40}, {"d", 18}};
+    if constexpr (std::is_enum_v<Value>)
+        section[option.name] = option.range.words[static_cast<int>(value)];
+    else
+        section[option.name] = value;
+    return json.dump();
+}
+
+TEST_F(SceneFile, HasTheOptionsOfTheTable) {
+    write("glass.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    write("drop.vtkhdf", "any bytes");
+    std::set<std::string> texts;
+    std::size_t scenes = 0;
+    for (const bool paper : {false, true})
+        for_each_surface_option([&](const auto& option) {
+            auto expected = paper ? paper_options() : SurfaceTensionOptions{};
+            set_line(expected, {40, 18});
+            set_other(option, expected);
+            const std::string text = with_option(paper, option, expected.*option.member);
+            if (option.name == std::string("surface_tension") ||
+                option.name == std::string("spacing_ratio")) { // from coefficient and spacing
+                expect_mentions(error_of<InputError>([&] { scene(text); }), {option.name});
+                return;
+            }
+            const Scene read = scene(text);
+            for_each_surface_option([&](const auto& other) {
+                EXPECT_EQ(read.surface_tension.surface.*other.member, expected.*other.member)
+                    << option.name << ' ' << other.name;
+            });
+            texts.insert(scene_text(read));
+            ++scenes;
+        });
+    EXPECT_EQ(texts.size(), scenes);
+    EXPECT_GT(scenes, 25U);
+}
+
+TEST_F(SceneFile, NamesTheRangeOfEachOption) {
+    for_each_surface_option([&](const auto& option) {
+        if (option.name == std::string("surface_tension") ||
+            option.name == std::string("spacing_ratio"))
+            return;
+        for (const auto value : values_out_of_range(option)) {
+            if constexpr (std::is_enum_v<std::decay_t<decltype(value)>>)
+                continue; // other words are refused above
+            else {
+                const std::string message =
+                    error_of<InputError>([&] { scene(with_option(false, option, value)); });
+                expect_mentions(message, {option.name, option.range.text});
+            }
+        }
+    });
 }
 
 TEST_F(SceneFile, RandomlyChangedTextIsReadOrRefused) {

@@ -1,9 +1,9 @@
-#include <meniscus/sph/scene.hpp>
+#include <meniscus/sph/scene/scene.hpp>
 
 #include "data/test_folder.hpp"
 
-#include <meniscus/data/errors.hpp>
-#include <meniscus/data/vtkhdf.hpp>
+#include <meniscus/data/formats/vtkhdf.hpp>
+#include <meniscus/data/text/errors.hpp>
 
 #include <cmath>
 #include <gtest/gtest.h>

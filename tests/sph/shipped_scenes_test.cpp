@@ -1,9 +1,9 @@
 // The scenes that ship: each reads and fills in each of its sizes, with the particles that
 // docs/scenes.md says.
-#include <meniscus/sph/scene.hpp>
+#include <meniscus/sph/scene/scene.hpp>
 
-#include <meniscus/data/neighbor_search.hpp>
-#include <meniscus/data/snapshot_files.hpp>
+#include <meniscus/data/formats/snapshot_files.hpp>
+#include <meniscus/data/particles/neighbor_search.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -45,17 +45,17 @@ class ShippedScene : public ::testing::TestWithParam<std::filesystem::path> {};
 
 /// The distance of a fluid particle from the walls, at most half a spacing.
 double distance_from_walls(const Scene& scene, const SceneParticles& particles) {
-    double smallest = scene.particle_spacing / 2;
+    double min = scene.particle_spacing / 2;
     if (particles.walls.empty())
-        return smallest;
-    const NeighborGrid walls(particles.walls, smallest);
+        return min;
+    const NeighborGrid walls(particles.walls, min);
     FoundNeighbors found;
     for (const Place& place : particles.positions) {
-        walls.find_around(place, smallest, found);
+        walls.find_around(place, min, found);
         for (const Place& d : found.displacements)
-            smallest = std::min(smallest, std::hypot(d[0], d[1], d[2]));
+            min = std::min(min, std::hypot(d[0], d[1], d[2]));
     }
-    return smallest;
+    return min;
 }
 
 TEST_P(ShippedScene, ReadsAndFillsInAllItsSizes) {

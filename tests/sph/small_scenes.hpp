@@ -3,7 +3,7 @@
 // it.
 #pragma once
 
-#include <meniscus/sph/simulation.hpp>
+#include <meniscus/sph/step/simulation.hpp>
 
 #include <algorithm>
 #include <array>
@@ -15,16 +15,14 @@
 namespace meniscus {
 
 struct NamedSolver {
-    PressureSolverKind kind;
+    std::string_view kind;
     const char* name;
 };
-inline constexpr std::array<NamedSolver, 4> all_solvers = {{{PressureSolverKind::wcsph, "WCSPH"},
-                                                            {PressureSolverKind::pcisph, "PCISPH"},
-                                                            {PressureSolverKind::iisph, "IISPH"},
-                                                            {PressureSolverKind::dfsph, "DFSPH"}}};
+inline constexpr std::array<NamedSolver, 4> all_solvers = {
+    {{"wcsph", "WCSPH"}, {"pcisph", "PCISPH"}, {"iisph", "IISPH"}, {"dfsph", "DFSPH"}}};
 
 /// A scene without fluid, walls and gravity.
-inline Scene empty_scene(int dimension, PressureSolverKind solver,
+inline Scene empty_scene(int dimension, std::string_view solver,
                          Precision precision = Precision::float32) {
     Scene scene;
     scene.name = "small";
@@ -36,7 +34,7 @@ inline Scene empty_scene(int dimension, PressureSolverKind solver,
     scene.frame_interval = 0.1;
     scene.pressure.solver = solver;
     scene.pressure.sound_speed = 40;
-    scene.time_step.largest = 0.005;
+    scene.time_step.max = 0.005;
     return scene;
 }
 

@@ -17,12 +17,12 @@ Place mirrored(const Place& place, int dimension) {
 /// A block that falls apart over the floor of a tank, mirrored along x and, in 3D, along z. Lattice
 /// planes lie no whole number of h apart, so that rounding decides about no neighbor. Neither does
 /// the surface tension, whose samples would be other ones for the other side, or other neighbors.
-Scene symmetric_scene(int dimension, Precision precision, PressureSolverKind solver) {
+Scene symmetric_scene(int dimension, Precision precision, std::string_view solver) {
     Scene scene = tank_scene(empty_scene(dimension, solver, precision), {12, 8, 8}, 6);
     scene.fluid = {{box_of(scene, {6, 6, 4}, {0.3, 0, dimension == 3 ? 0.2 : 0}), {}}};
     scene.support_radius = 0.23;
     scene.viscosity = {0.01, true, 0.05};
-    scene.surface_tension.model = TensionModel::becker_2007;
+    scene.surface_tension.model = "becker_2007";
     scene.surface_tension.coefficient = 0.5;
     return scene;
 }
@@ -44,13 +44,13 @@ std::vector<std::size_t> mirror_images(const Positions& places, int dimension) {
 
 /// How far particles are from where their images say, at most, in spacings.
 double asymmetry(const Positions& places, const std::vector<std::size_t>& images, int dimension) {
-    double largest = 0;
+    double max = 0;
     for (std::size_t i = 0; i < places.size(); ++i) {
         const Place expected = mirrored(places[images[i]], dimension);
         for (int axis = 0; axis < 3; ++axis)
-            largest = std::max(largest, std::abs(places[i][axis] - expected[axis]));
+            max = std::max(max, std::abs(places[i][axis] - expected[axis]));
     }
-    return largest / 0.1;
+    return max / 0.1;
 }
 
 /// Differences of rounding double about every ten steps once the block has reached the walls: to

@@ -1,6 +1,4 @@
-#include <meniscus/sph/step_headers.hpp>
-
-#include <meniscus/sph/viscosity.hpp>
+#include <meniscus/sph/fluid/viscosity.hpp>
 
 #include "sample_fluids.hpp"
 
@@ -57,11 +55,10 @@ public:
     }
 
     static void expect_same(const std::vector<Place>& found, const std::vector<Place>& expected) {
-        const double largest = largest_of(expected);
-        EXPECT_GT(largest, 0);
+        const double max = max_over(expected);
+        EXPECT_GT(max, 0);
         for (std::size_t i = 0; i < expected.size(); ++i)
-            EXPECT_LT(length_of(difference_of(found[i], expected[i])),
-                      SettingType::tolerance * largest)
+            EXPECT_LT(length_of(difference_of(found[i], expected[i])), SettingType::tolerance * max)
                 << "particle " << i;
     }
 

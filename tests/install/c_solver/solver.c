@@ -3,12 +3,12 @@
 
 #include <stdio.h>
 
-enum { edge = 8, count = edge * edge * edge, most_neighbors = 40 };
+enum { edge = 8, count = edge * edge * edge, max_neighbors = 40 };
 
 static float positions[count][3];
 static float accelerations[count][3];
 static uint32_t offsets[count + 1];
-static uint32_t neighbors[count * most_neighbors];
+static uint32_t neighbors[count * max_neighbors];
 
 static const float support_radius = 1;
 static const float spacing = 0.5F;

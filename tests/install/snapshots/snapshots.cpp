@@ -1,6 +1,6 @@
 // Writes a block of particles, labels it and reads it back.
-#include <meniscus/data/snapshot_files.hpp>
-#include <meniscus/data/vtkhdf.hpp>
+#include <meniscus/data/formats/snapshot_files.hpp>
+#include <meniscus/data/formats/vtkhdf.hpp>
 #include <meniscus/labeler/labeler.hpp>
 
 #include <algorithm>

@@ -2,11 +2,11 @@
 // ways that the runtime offers. They must agree. And has surface tension on its own threads.
 #include EXPORTED
 
-#include <meniscus/runtime/classifier.hpp>
-#include <meniscus/runtime/exact_coverage.hpp>
-#include <meniscus/runtime/shipped_curvature_map.hpp>
-#include <meniscus/runtime/surface_coefficients.hpp>
-#include <meniscus/runtime/surface_tension.hpp>
+#include <meniscus/runtime/coefficients/surface_3d.hpp>
+#include <meniscus/runtime/coverage/exact_coverage.hpp>
+#include <meniscus/runtime/features/classifier.hpp>
+#include <meniscus/runtime/surface/shipped_curvature_map.hpp>
+#include <meniscus/runtime/surface/surface_tension.hpp>
 
 #include <array>
 #include <cstdint>
@@ -129,8 +129,10 @@ struct ThreadLoop {
     template <class Body>
     void operator()(std::size_t count, const Body& body) const {
         std::vector<std::thread> threads;
-        for (int n = 0; n < workers(); ++n)
-            threads.emplace_back(body, count * n / workers(), count * (n + 1) / workers(), n);
+        constexpr std::size_t parts = 4;
+        for (std::size_t n = 0; n < parts; ++n)
+            threads.emplace_back(body, count * n / parts, count * (n + 1) / parts,
+                                 static_cast<int>(n));
         for (std::thread& thread : threads)
             thread.join();
     }
@@ -139,8 +141,7 @@ struct ThreadLoop {
 template <class View, class Loop>
 std::vector<Vector> forces(const View& view, const Loop& loop) {
     meniscus::SurfaceTensionOptions options;
-    options.force.spacing_ratio = 2 / 0.9;
-    options.map = meniscus::shipped_curvature_map(3);
+    options.spacing_ratio = 2 / 0.9;
     meniscus::SurfaceTension<Real, 3> tension(options);
     tension.step(view, edge * edge * edge, meniscus::UniformRadius<Real>{support_radius}, loop);
     return tension.surface().force;
@@ -170,7 +171,7 @@ int main() {
         std::puts("exact coverage is wrong");
         return 1;
     }
-    if (works<meniscus::SurfaceCoefficients>(positions) && works<meniscus::Exported>(positions))
+    if (works<meniscus::Surface3D>(positions) && works<meniscus::Exported>(positions))
         return 0;
     std::puts("the ways to classify disagree");
     return 1;

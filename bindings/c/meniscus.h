@@ -1,0 +1,227 @@
+/* Surface tension in an SPH step for solvers in C, and in other languages by the way that they have
+ * of calling C. What the C++ headers (meniscus/runtime/surface/surface_tension.hpp) do in one call
+ * a step, behind an opaque handle:
+ *
+ *     meniscus_options options;
+ *     meniscus_options_init(&options, sizeof options);
+ *     options.surface_tension = 0.072;
+ *     meniscus_surface* surface;
+ *     meniscus_create(&surface, &options, 3, MENISCUS_DOUBLE);
+ *     ... each step:
+ *     meniscus_step(surface, &particles);
+ *     meniscus_add_accelerations(surface, masses, 0, accelerations, 3);
+ *     ... in the end:
+ *     meniscus_destroy(surface);
+ *
+ * All functions that return int return a meniscus_status; what is wrong stands in
+ * meniscus_last_error(). A handle serves one caller at a time; it spreads its work over threads of
+ * its own. The library picks the widest vector instructions that the machine has (baseline, AVX2 or
+ * AVX-512), which changes no bit of a result, and neither does the number of threads. Units are SI:
+ * lengths in m, masses in kg, forces in N (in two dimensions N per m of depth). Indices count from
+ * 0. */
+#ifndef MENISCUS_H
+#define MENISCUS_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(__GNUC__)
+#define MENISCUS_API __attribute__((visibility("default")))
+#else
+#define MENISCUS_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* What functions return. */
+enum meniscus_status {
+    MENISCUS_OK = 0,
+    MENISCUS_BAD_ARGUMENT = 1,  /* nothing was changed */
+    MENISCUS_OUT_OF_MEMORY = 2, /* the handle can only be destroyed now */
+    MENISCUS_FAILURE = 3        /* anything else that went wrong on this machine; likewise */
+};
+
+/* The number type of all arrays of reals that a handle takes and gives. */
+enum meniscus_precision { MENISCUS_FLOAT = 0, MENISCUS_DOUBLE = 1 };
+
+/* How much of a candidate's sphere is uncovered: from samples, or in closed form (slower). */
+enum meniscus_coverage { MENISCUS_SAMPLED = 0, MENISCUS_EXACT = 1 };
+
+/* What becomes of a candidate that no sample finds uncovered: the exact test decides, so that no
+ * surface particle is lost; or it counts as covered, as in the 2020 paper. */
+enum meniscus_verification { MENISCUS_VERIFY = 0, MENISCUS_DROP = 1 };
+
+/* Curvature from the uncovered fraction alone (2020 paper, eqs. 14 and 17), or from how normals
+ * turn along the surface, by a calibrated map. */
+enum meniscus_curvature { MENISCUS_CLOSED_CURVATURE = 0, MENISCUS_MAPPED_CURVATURE = 1 };
+
+/* The 2020 paper's force, whose sigma is a parameter to be tuned, or the calibrated one, whose
+ * sigma in N/m means what it says. */
+enum meniscus_force { MENISCUS_PAPER_FORCE = 0, MENISCUS_CALIBRATED_FORCE = 1 };
+
+/* What becomes of a particle. */
+enum meniscus_class {
+    MENISCUS_INTERIOR = 0, /* by the line */
+    MENISCUS_COVERED = 1,  /* let through by the line, but covered */
+    MENISCUS_AT_SURFACE = 2
+};
+
+/* A map of curvature, as `struct CurvatureCoefficients` of an exported header has it. */
+typedef struct meniscus_curvature_map {
+    double coefficients[4];
+    double min, max; /* range of training */
+    int averaged;    /* not 0: over the surface particles around */
+} meniscus_curvature_map;
+
+/* What a scene needs. Set by meniscus_options_init or meniscus_options_paper, then changed. Names,
+ * ranges and defaults are those of the C++ headers (meniscus/runtime/surface/option_table.hpp), of
+ * `meniscus classify` and of scenes. */
+typedef struct meniscus_options {
+    size_t size;             /* of this struct, which tells versions apart; set by the two */
+    double k, d;             /* line of the classifier: candidates have y <= k x + d; -1e6 to 1e6;
+                                both NaN, as the two set them: the line that ships for the
+                                dimension */
+    double radius_ratio;     /* r2 / r1 that the line was trained with, above 0, below 1 */
+    size_t samples;          /* a particle, 4 to 16384; see meniscus_set_samples */
+    uint64_t seed;           /* of the samples */
+    double fade;             /* exposure, over that on a flat surface, at which a particle weighs
+                                1; 0: always */
+    double tau;              /* share of the neighbors in smoothing (eq. 6), 0 to 1 */
+    double covariance_share; /* of normals from positions (eq. 7), 0 to 1 */
+    double surface_tension;  /* sigma in N/m */
+    double spacing_ratio;    /* support radius over particle spacing at rest */
+    const meniscus_curvature_map* curvature_map; /* NULL: the one that ships for the dimension */
+    int coverage;                                /* meniscus_coverage */
+    int verification;                            /* meniscus_verification */
+    int curvature;                               /* meniscus_curvature */
+    int force;                                   /* meniscus_force */
+    int normal_passes;                           /* of smoothing, 0 to 1000 */
+    int curvature_passes;                        /* of smoothing, 0 to 1000 */
+    int threads;                                 /* 0 to 1024; 0: all that OpenMP offers */
+} meniscus_options;
+
+/* The particles of one step, all of one phase or with lists that hold neighbors of the same phase
+ * alone. Start from zeros (`meniscus_particles p = {0}`) and set `size` to sizeof(p). `real` stands
+ * for float or double, as the handle was created. Only `count`, `positions`, a radius and the lists
+ * are required. Lists are compressed rows: the neighbors of i are neighbors[offsets[i]] to
+ * neighbors[offsets[i + 1] - 1], symmetric (i among those of j where j is among those of i). They
+ * may hold i itself and particles beyond its support radius. */
+typedef struct meniscus_particles {
+    size_t size;               /* of this struct in the calling program */
+    size_t count;              /* particles, below 2^31 */
+    const void* positions;     /* real, `stride` values a particle, coordinates first, m */
+    size_t stride;             /* 0: as many as there are dimensions */
+    const void* masses;        /* real, kg; NULL where all are equal */
+    double support_radius;     /* h in m, where support_radii is NULL */
+    const void* support_radii; /* real, one a particle, m; NULL: all have support_radius */
+    const uint32_t* ids; /* a number of its own for each particle, where the host sorts them */
+    const void* offsets; /* count + 1 of uint32_t or uint64_t, ascending */
+    const uint32_t* neighbors;
+    int offset_bits; /* 32 or 64, of `offsets` and `boundary_offsets` */
+    /* Boundary particles cover, and a connected component of fluid that has one within h is at a
+     * wall. */
+    size_t boundary_count;
+    const void* boundary_positions;     /* real, `stride` values each; NULL: no boundary */
+    const void* boundary_offsets;       /* count + 1, as `offsets` */
+    const uint32_t* boundary_neighbors; /* boundary particles around each fluid particle */
+    /* The host's own classification in its density loop: not 0 for candidates. NULL: the line of
+     * the options decides. */
+    const uint8_t* candidates;
+} meniscus_particles;
+
+/* What the last step found, in slots: one for each particle that the line let through, in the order
+ * of particles. Pointers hold until the next call that changes the handle; all but slot_of have
+ * `slots` entries. Particles without a slot are interior. */
+typedef struct meniscus_results {
+    size_t size; /* of this struct in the calling program; set before the call */
+    size_t slots;
+    size_t count;                   /* particles of the step */
+    const uint32_t* particle;       /* of each slot */
+    const int32_t* slot_of;         /* of each particle; -1: interior */
+    const uint8_t* surface_class;   /* MENISCUS_COVERED or MENISCUS_AT_SURFACE */
+    const void* uncovered_fraction; /* real, lambda, 0 to 1 */
+    const void* normal;    /* real, `dimension` values each, out of the fluid; 0: covered */
+    const void* curvature; /* real, mean curvature kappa in 1/m, positive for a drop */
+    const void* force;     /* real, `dimension` values each, N */
+} meniscus_results;
+
+/* Surface tension of one fluid, with the memory that it needs. */
+typedef struct meniscus_surface meniscus_surface;
+
+/* The version of the library, as "0.1.0". */
+MENISCUS_API const char* meniscus_version(void);
+
+/* What the last call of this thread that did not return MENISCUS_OK had to say, in one line; ""
+ * before there was one. Holds until the next such call. */
+MENISCUS_API const char* meniscus_last_error(void);
+
+/* Sets all options: the project's own choices, or those of the 2020 paper. `size` is sizeof
+ * *options. Bad: NULL, another size than in the header that the library was built with. */
+MENISCUS_API int meniscus_options_init(meniscus_options* options, size_t size);
+MENISCUS_API int meniscus_options_paper(meniscus_options* options, size_t size);
+
+/* Creates a handle in *surface for 2 or 3 dimensions and a meniscus_precision. Bad: NULL, an option
+ * out of its range (the message names both); *surface is NULL then. */
+MENISCUS_API int meniscus_create(meniscus_surface** surface, const meniscus_options* options,
+                                 int dimension, int precision);
+
+/* Frees the handle. NULL is allowed. */
+MENISCUS_API void meniscus_destroy(meniscus_surface* surface);
+
+/* Room for so many particles with so many neighbors each: steps with no more allocate nothing.
+ * Without it memory grows with the first steps, and stays smaller. */
+MENISCUS_API int meniscus_reserve(meniscus_surface* surface, size_t particles, size_t neighbors);
+
+/* Samples a particle from now on, 4 to 16384. */
+MENISCUS_API int meniscus_set_samples(meniscus_surface* surface, size_t samples);
+
+/* The same for a time step in s and a sampling density C_SD in 1/s (2020 paper, section 3.4.3):
+ * their product, at least `minimum`, at most 16384. */
+MENISCUS_API int meniscus_set_samples_for_time_step(meniscus_surface* surface, double time_step,
+                                                    double sampling_density, size_t minimum);
+
+/* Another line from now on, as a relative one for a new median neighbor count. Bad: out of the
+ * range of k and d. */
+MENISCUS_API int meniscus_set_line(meniscus_surface* surface, double k, double d);
+
+/* Finds the surface and all that meniscus_results tells of it. Finite input never gives NaN. Bad:
+ * NULL where something is required, no radius that is positive and whose square the number type
+ * holds, offset_bits, a stride below the dimension. What costs a pass over all lists is not
+ * checked: meniscus_check does. */
+MENISCUS_API int meniscus_step(meniscus_surface* surface, const meniscus_particles* particles);
+
+/* Looks at everything that a step reads: positions that are finite and not so far from the origin
+ * that the number type cannot tell neighbors apart, positive masses and radii, ascending offsets,
+ * neighbors that exist. For while a solver is written; takes about as long as a step.
+ * The message names the first particle that is wrong. */
+MENISCUS_API int meniscus_check(const meniscus_surface* surface,
+                                const meniscus_particles* particles);
+
+/* Removes net force and net torque of each connected component of fluid that touches no wall. After
+ * a step, with the same particles. Positions must not be wrapped at periodic ends. */
+MENISCUS_API int meniscus_balance_momentum(meniscus_surface* surface,
+                                           const meniscus_particles* particles);
+
+/* Sets *results to what the last step found; nothing before the first. */
+MENISCUS_API int meniscus_get_results(const meniscus_surface* surface, meniscus_results* results);
+
+/* Writes the results into arrays over all particles of the step, zeros for interior ones. Any may
+ * be NULL. `normal` and `force` have `stride` values a particle (0: as many as there are
+ * dimensions), of which the first are set; reals as the handle was created. */
+MENISCUS_API int meniscus_scatter(const meniscus_surface* surface, uint8_t* surface_class,
+                                  void* uncovered_fraction, void* normal, void* curvature,
+                                  void* force, size_t stride);
+
+/* Adds force over mass (m/s^2) to the accelerations, `stride` values a particle (0: as many as
+ * there are dimensions). `masses` (real, kg, one a particle) or, where it is NULL, `mass` for all.
+ * Bad: NULL accelerations, a mass that is not positive and finite. */
+MENISCUS_API int meniscus_add_accelerations(const meniscus_surface* surface, const void* masses,
+                                            double mass, void* accelerations, size_t stride);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

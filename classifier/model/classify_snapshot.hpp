@@ -1,0 +1,75 @@
+// The runtime on a stored snapshot: what a solver that uses the model would see at that instant.
+// The audit compares it with the labels, `meniscus classify` writes it down.
+#pragma once
+
+#include "model.hpp"
+
+#include <meniscus/data/particles/neighbor_search.hpp>
+#include <meniscus/data/particles/snapshot.hpp>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace meniscus {
+
+/// What features are summed over.
+struct Neighborhoods {
+    NeighborLists lists;
+    NeighborLists boundary_lists; ///< indices of boundary particles; empty where none counts
+    std::vector<double> masses;   ///< kg, one a particle; empty where all are equal
+    /// kg, of each boundary particle: mean_mass of the fluid; 0: that of its neighbor.
+    double boundary_mass = 1;
+    SupportRadii radii = 0; ///< h in m
+    std::vector<std::uint8_t> valid;
+};
+
+/// The boundary particles closer than its support radius to each particle whose `valid` is not 0,
+/// in compressed rows; empty where there is no boundary. Throws InputError where the boundary
+/// cannot be used, or the neighbor search refuses.
+NeighborLists find_boundary_neighbors(const Snapshot& snapshot, const SupportRadii& radii,
+                                      const std::vector<std::uint8_t>& valid, int threads);
+
+/// The neighborhoods of the particles whose `valid` is not 0: a `phase` array keeps phases apart, a
+/// `mass` array weights the features. With `boundary_counts` the snapshot's boundary particles are
+/// neighbors too, whatever the phase; where radii vary, each with radius and mass of the particle
+/// that it is a neighbor of. `threads` 0 takes all cores. Throws InputError where such an
+/// array cannot be used, where the mass of a valid particle is not positive, or where the neighbor
+/// search refuses; likewise for a boundary that counts.
+Neighborhoods find_neighborhoods(const Snapshot& snapshot, const SupportRadii& radii,
+                                 const std::vector<std::uint8_t>& valid, bool boundary_counts,
+                                 int threads);
+
+/// One entry a particle, in the snapshot's order.
+struct Predictions {
+    std::vector<std::uint8_t> surface;  ///< 1 surface, 0 interior
+    std::vector<double> neighbor_count; ///< feature y; whole where radii do not vary
+};
+
+/// Runs the runtime's classifier with positions, masses, radii and line in the given precision. A
+/// relative line is scaled to the median neighbor count of the valid particles.
+Predictions predict(const Model& model, const Snapshot& snapshot,
+                    const Neighborhoods& neighborhoods, Precision precision);
+
+struct ClassifyOptions {
+    bool skip_invalid = false; ///< leave particles with non-finite positions out
+    int threads = 0;           ///< 0: all cores; the classes do not depend on it
+};
+
+/// One entry a particle, in the snapshot's order.
+struct Classes {
+    std::vector<std::uint8_t> surface;  ///< 1 surface, 0 interior or not valid
+    std::vector<std::uint8_t> valid;    ///< 0 where left out
+    std::vector<double> neighbor_count; ///< feature y; whole where radii do not vary
+    std::vector<std::string> warnings;  ///< one line each, for standard error
+    Neighborhoods neighborhoods;        ///< that the classes were found over
+};
+
+/// Classifies a snapshot in double. Its boundary particles count where the model says that they do;
+/// it warns where there are none then. Throws InputError where it has no support radius, where the
+/// model is of another dimension, where positions cannot be worked with (checked_positions) unless
+/// skip_invalid, and as find_neighborhoods does.
+Classes classify_snapshot(const Snapshot& snapshot, const Model& model,
+                          const ClassifyOptions& options);
+
+} // namespace meniscus

@@ -1,0 +1,124 @@
+#include "trainer.hpp"
+
+#include "objectives.hpp"
+#include "scene_errors.hpp"
+#include "shift.hpp"
+
+#include <meniscus/data/particles/feature_names.hpp>
+#include <meniscus/data/text/errors.hpp>
+#include <meniscus/data/text/text.hpp>
+
+#include <algorithm>
+
+namespace meniscus {
+namespace {
+
+void widen(std::optional<Range>& range, std::optional<double> value) {
+    if (!value)
+        return;
+    if (!range)
+        range = Range{*value, *value};
+    range->min = std::min(range->min, *value);
+    range->max = std::max(range->max, *value);
+}
+
+std::string names_of(const std::vector<LabelledState>& states) {
+    const std::string first = states.front().file;
+    return states.size() == 1 ? first
+                              : first + " and " + std::to_string(states.size() - 1) + " more files";
+}
+
+std::size_t surface_particles(const LabelledState& state, double label_threshold) {
+    return static_cast<std::size_t>(
+        std::count_if(state.uncovered_fraction.begin(), state.uncovered_fraction.end(),
+                      [&](double lambda) { return lambda > label_threshold; }));
+}
+
+void check_classes(const std::vector<LabelledState>& states, double label_threshold) {
+    std::size_t particles = 0;
+    std::size_t surface = 0;
+    for (const LabelledState& state : states) {
+        particles += state.size();
+        surface += surface_particles(state, label_threshold);
+    }
+    if (surface != 0 && surface != particles)
+        return;
+    const std::string threshold = number_text(label_threshold);
+    if (surface == 0)
+        throw InputError(names_of(states) + ": no surface particle to train on among " +
+                         std::to_string(particles) + " (uncovered fraction above " + threshold +
+                         "); give other files or a lower --label-threshold");
+    throw InputError(names_of(states) + ": no interior particle to train on among " +
+                     std::to_string(particles) + " (uncovered fraction at most " + threshold +
+                     "); give other files or a higher --label-threshold");
+}
+
+void check_training(const std::vector<LabelledState>& states, const TrainingOptions& options) {
+    if (states.empty())
+        throw InputError("no labelled file to train on; give at least one");
+    if (!objective_named(options.objective).any_features && !is_of_paper(states.front().features))
+        throw InputError("objective '" + options.objective + "' fits lines of the features " +
+                         names_of({}) + ", not of " + names_of(states.front().features) +
+                         "; train with --objective neyman-pearson");
+    check_label_threshold(options.label_threshold);
+    for (const LabelledState& state : states)
+        if (!state.support_radius)
+            throw InputError(state.file + ": its particles have support radii of their own, and "
+                                          "lines are trained on states of one radius; leave it "
+                                          "out, or label it with --support-radius");
+    check_same_kind(states);
+    if (options.keep_k) {
+        if (names_of(options.keep_k->features) != names_of(states.front().features))
+            throw InputError("the line to keep is of the features " +
+                             names_of(options.keep_k->features) + ", the states have " +
+                             names_of(states.front().features) + "; give --features " +
+                             names_of(options.keep_k->features));
+        check_dimension(*options.keep_k, states.front().dimension, states.front().file);
+        check_radius_ratio(*options.keep_k, states.front().radius_ratio, states.front().file);
+        check_boundary_rule(*options.keep_k, states.front().boundary_counts, states.front().file);
+        if ((options.keep_k->reference_neighbor_count > 0) != states.front().relative)
+            throw InputError("one of the line to keep and the states has relative counts, the "
+                             "other has not");
+    }
+    check_classes(states, options.label_threshold);
+}
+
+Line trained_line(const std::vector<LabelledState>& states, const TrainingOptions& options) {
+    if (options.keep_k)
+        return shift_line(states, options.label_threshold, options.keep_k->line.k,
+                          options.keep_k->line.above);
+    return objective_named(options.objective).fit(states, options.label_threshold, options.seed);
+}
+
+void describe_training_set(const std::vector<LabelledState>& states, Model& model) {
+    for (const LabelledState& state : states) {
+        model.training_files.push_back({state.file, state.hash, state.scene, state.size(),
+                                        surface_particles(state, model.label_threshold)});
+        widen(model.spacing_ratio, spacing_ratio(state));
+        widen(model.bulk_neighbor_count, bulk_neighbor_count(state));
+    }
+    for (const SceneErrors& scene : count_errors(states, model.line, model.label_threshold)) {
+        model.false_negatives += scene.false_negatives;
+        model.false_positives += scene.false_positives;
+    }
+}
+
+} // namespace
+
+Model train(const std::vector<LabelledState>& states, const TrainingOptions& options) {
+    check_training(states, options);
+    Model model;
+    model.line = trained_line(states, options);
+    model.features = states.front().features;
+    model.dimension = states.front().dimension;
+    model.radius_ratio = states.front().radius_ratio;
+    model.boundary_counts = states.front().boundary_counts;
+    model.reference_neighbor_count = states.front().relative ? reference_neighbor_count : 0;
+    model.label_threshold = options.label_threshold;
+    model.objective = options.keep_k ? "keep-k" : options.objective;
+    model.d_margin = d_margin(model.line.k, model.features);
+    describe_training_set(states, model);
+    return model;
+}
+
+} // namespace meniscus

@@ -1,0 +1,40 @@
+// Snapshots in HDF5 files, read in a child process (isolated_read.hpp).
+#include "snapshot_formats.hpp"
+
+#include "detail/hdf5_formats.hpp"
+#include <meniscus/data/hdf5/hdf5_signature.hpp>
+#include <meniscus/data/hdf5/isolated_read.hpp>
+#include <meniscus/data/text/errors.hpp>
+
+namespace meniscus {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string known_names() {
+    std::string names;
+    for (const Hdf5Format& format : hdf5_formats())
+        names += (names.empty() ? "" : ", ") + std::string(format.name);
+    return names;
+}
+
+Snapshot read(const fs::path& file) {
+    const Hdf5Source source = open_source(file);
+    for (const Hdf5Format& format : hdf5_formats())
+        if (format.holds(source))
+            return format.read(source);
+    throw InputError(file.string() + ": expected a snapshot in a known format of HDF5 (" +
+                     known_names() + "), found another HDF5 file; export it in one of these");
+}
+
+Snapshot read_hdf5(const fs::path& file) {
+    return read_isolated(file, read);
+}
+
+} // namespace
+
+SnapshotFormat hdf5_format() {
+    return {known_names(), is_hdf5, read_hdf5};
+}
+
+} // namespace meniscus

@@ -1,0 +1,34 @@
+// The list of formats that snapshots are read from: a new one is its file, with a function that is
+// declared here, and its place in the list. Those that are kept in HDF5 files have a list of their
+// own (detail/hdf5_formats.hpp).
+#pragma once
+
+#include <meniscus/data/particles/snapshot.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace meniscus {
+
+/// Both functions throw InputError where the file is missing, empty or no regular file.
+struct SnapshotFormat {
+    std::string name; ///< as messages give it
+    /// Whether the file is of the format, by its first bytes or lines.
+    bool (*detect)(const std::filesystem::path& file);
+    /// Throws InputError, naming the file and the place in it, on anything that is not well formed.
+    /// Memory is bounded by what the file's bytes can hold, whatever they claim.
+    Snapshot (*read)(const std::filesystem::path& file);
+};
+
+SnapshotFormat hdf5_format();
+SnapshotFormat legacy_vtk_format();
+SnapshotFormat bgeo_format();
+SnapshotFormat csv_format();
+
+/// In the order in which a file is tried.
+inline std::vector<SnapshotFormat> snapshot_formats() {
+    return {hdf5_format(), legacy_vtk_format(), bgeo_format(), csv_format()};
+}
+
+} // namespace meniscus

@@ -1,0 +1,206 @@
+#include "vtkhdf.hpp"
+
+#include "detail/hdf5_formats.hpp"
+#include <meniscus/data/hdf5/deflate.hpp>
+#include <meniscus/data/hdf5/hdf5_signature.hpp>
+#include <meniscus/data/hdf5/isolated_read.hpp>
+#include <meniscus/data/text/errors.hpp>
+#include <meniscus/data/text/text.hpp>
+
+#include <cmath>
+#include <optional>
+#include <string>
+
+namespace meniscus {
+namespace {
+
+namespace fs = std::filesystem;
+
+void check_grid(const Hdf5Source& source) {
+    const std::string type = text_attribute(source, "/VTKHDF", "Type");
+    if (type != grid_type) {
+        fail(source, "/VTKHDF attribute Type", std::string(grid_type),
+             type.empty() ? "none that is readable" : "'" + type + "', which is not supported");
+    }
+    const auto version = number_attribute<std::int64_t>(source, "/VTKHDF", "Version", 2);
+    if (version.size() != 2 || version[0] < 1 || version[0] > 2) {
+        fail(source, "/VTKHDF attribute Version", "two numbers, the first 1 or 2",
+             version.size() == 2 ? std::to_string(version[0]) : "none that is readable");
+    }
+    if (exists(source, "/VTKHDF/Steps"))
+        fail(source, "/VTKHDF/Steps", "one state a file", "a series; store each state by itself");
+}
+
+/// The sum over the partitions of the grid.
+std::uint64_t read_count(const Hdf5Source& source, const std::string& path) {
+    const Dataset dataset = open_dataset(source, path);
+    std::vector<std::int64_t> counts(value_count(dataset));
+    read_into(source, dataset, number_type<std::int64_t>(), counts.data());
+    std::uint64_t sum = 0;
+    for (const std::int64_t count : counts) {
+        const std::uint64_t max = source.bytes * max_compression - sum;
+        if (count < 0 || static_cast<std::uint64_t>(count) > max)
+            fail(source, path, "counts that the file can hold", std::to_string(count));
+        sum += static_cast<std::uint64_t>(count);
+    }
+    return sum;
+}
+
+void read_points(const Hdf5Source& source, Snapshot& snapshot) {
+    const std::uint64_t count = read_count(source, "/VTKHDF/NumberOfPoints");
+    const Dataset points = open_dataset(source, "/VTKHDF/Points");
+    if (points.dimensions != Dimensions{count, 3}) {
+        fail(source, points.path, std::to_string(count) + " x 3 coordinates",
+             shown(points.dimensions));
+    }
+    const ArrayValues type = empty_values(source, points);
+    const bool single = std::holds_alternative<std::vector<float>>(type);
+    if (!single && !std::holds_alternative<std::vector<double>>(type))
+        fail(source, points.path, "float or double", "integers");
+    snapshot.position_precision = single ? Precision::float32 : Precision::float64;
+    snapshot.positions.resize(count);
+    read_into(source, points, number_type<double>(), snapshot.positions.data());
+}
+
+/// A mesh has points too, but they are no particles.
+void check_cells(const Hdf5Source& source) {
+    const std::string path = "/VTKHDF/Types";
+    if (!exists(source, path))
+        return;
+    const ArrayValues read = read_numbers(source, open_dataset(source, path));
+    const auto* types = std::get_if<std::vector<std::uint8_t>>(&read);
+    const std::uint64_t count = read_count(source, "/VTKHDF/NumberOfCells");
+    if (types == nullptr || types->size() != count)
+        fail(source, path, std::to_string(count) + " cell types of one byte", "something else");
+    for (const std::uint8_t type : *types) {
+        if (type != vertex_cell && type != poly_vertex_cell) {
+            fail(source, path, "particles (vertex cells, type 1)",
+                 "cell type " + std::to_string(type) + "; a mesh is no snapshot");
+        }
+    }
+}
+
+void read_point_data(const Hdf5Source& source, Snapshot& snapshot) {
+    for (const std::string& name : names_in(source, "/VTKHDF/PointData")) {
+        const Dataset dataset = open_dataset(source, "/VTKHDF/PointData/" + name);
+        const Dimensions& found = dataset.dimensions;
+        if (found.empty() || found.size() > 2 || found[0] != snapshot.size() ||
+            (found.size() == 2 && (found[1] < 1 || found[1] > 1'000'000))) {
+            fail(source, dataset.path,
+                 std::to_string(snapshot.size()) + " or " + std::to_string(snapshot.size()) +
+                     " x components values, as there are particles",
+                 shown(found));
+        }
+        const int components = found.size() == 2 ? static_cast<int>(found[1]) : 1;
+        snapshot.point_data.push_back({name, components, read_numbers(source, dataset)});
+    }
+}
+
+/// A single number of FieldData, where it is stored.
+std::optional<double> read_field(const Hdf5Source& source, const std::string& name) {
+    const std::string path = "/VTKHDF/FieldData/" + name;
+    if (!exists(source, "/VTKHDF/FieldData") || !exists(source, path))
+        return std::nullopt;
+    const PointArray field{name, 1, read_numbers(source, open_dataset(source, path))};
+    const std::vector<double> values = as_doubles(field);
+    if (values.size() != 1 || !std::isfinite(values[0])) {
+        fail(source, path, "one finite number",
+             values.size() == 1 ? number_text(values[0])
+                                : std::to_string(values.size()) + " values");
+    }
+    return values[0];
+}
+
+std::optional<double> read_length(const Hdf5Source& source, const std::string& name) {
+    const std::optional<double> length = read_field(source, name);
+    if (length && *length <= 0)
+        fail(source, "/VTKHDF/FieldData/" + name, "a positive length in m", number_text(*length));
+    return length;
+}
+
+void read_field_data(const Hdf5Source& source, Snapshot& snapshot) {
+    snapshot.support_radius = read_length(source, "support_radius");
+    snapshot.particle_spacing = read_length(source, "particle_spacing");
+    snapshot.time = read_field(source, "time");
+    const int suggested = dimension_of(snapshot.positions);
+    const double dimension = read_field(source, "dimension").value_or(suggested);
+    if (dimension != 2 && dimension != 3)
+        fail(source, "/VTKHDF/FieldData/dimension", "2 or 3", number_text(dimension));
+    snapshot.dimension = static_cast<int>(dimension);
+}
+
+Positions read_boundary(const Hdf5Source& source) {
+    const Dataset dataset = open_dataset(source, "/meniscus/boundary");
+    if (dataset.dimensions.size() != 2 || dataset.dimensions[1] != 3)
+        fail(source, dataset.path, "particles x 3 coordinates", shown(dataset.dimensions));
+    if (!std::holds_alternative<std::vector<double>>(empty_values(source, dataset)))
+        fail(source, dataset.path, "double", "another type of number");
+    Positions boundary(dataset.dimensions[0]);
+    read_into(source, dataset, number_type<double>(), boundary.data());
+    return boundary;
+}
+
+void read_for_meniscus(const Hdf5Source& source, Snapshot& snapshot) {
+    if (!exists(source, "/meniscus"))
+        return; // written by another program
+    const std::string version = text_dataset(source, "/meniscus/format_version");
+    if (version != format_version) {
+        fail(source, "/meniscus/format_version", std::string(format_version),
+             "'" + version + "'; a newer meniscus wrote it, update this one");
+    }
+    if (exists(source, "/meniscus/scene"))
+        snapshot.scene = text_dataset(source, "/meniscus/scene");
+    if (exists(source, "/meniscus/boundary"))
+        snapshot.boundary = read_boundary(source);
+    for (const std::string& name : names_in(source, "/meniscus/provenance"))
+        snapshot.provenance[name] = text_dataset(source, "/meniscus/provenance/" + name);
+}
+
+bool holds_vtkhdf(const Hdf5Source& source) {
+    return exists(source, "/VTKHDF");
+}
+
+Snapshot vtkhdf_snapshot(const Hdf5Source& source) {
+    check_grid(source);
+    Snapshot snapshot;
+    read_points(source, snapshot);
+    check_cells(source);
+    read_point_data(source, snapshot);
+    read_field_data(source, snapshot);
+    read_for_meniscus(source, snapshot);
+    return snapshot;
+}
+
+Snapshot read(const fs::path& file) {
+    return vtkhdf_snapshot(open_source(file));
+}
+
+/// An empty snapshot, or an InputError where the file holds no VTKHDF.
+Snapshot look_into(const fs::path& file) {
+    if (!holds_vtkhdf(open_source(file)))
+        throw InputError(file.string() + ": expected a group /VTKHDF, found none");
+    return {};
+}
+
+} // namespace
+
+Hdf5Format vtkhdf_format() {
+    return {"VTKHDF", holds_vtkhdf, vtkhdf_snapshot};
+}
+
+bool is_vtkhdf(const fs::path& file) {
+    if (!is_hdf5(file))
+        return false;
+    try {
+        read_isolated(file, look_into);
+        return true;
+    } catch (const InputError&) { // another HDF5 file, or a damaged one
+        return false;
+    }
+}
+
+Snapshot read_vtkhdf(const fs::path& file) {
+    return read_isolated(file, read);
+}
+
+} // namespace meniscus

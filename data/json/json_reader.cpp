@@ -1,0 +1,255 @@
+#include "json_reader.hpp"
+
+#include <meniscus/data/text/errors.hpp>
+#include <meniscus/data/text/text.hpp>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <utility>
+
+namespace meniscus {
+namespace {
+
+/// Keys of scenes, models and calibrations that had another name in 0.1.0, and their names now.
+constexpr std::pair<const char*, const char*> renamed_keys[] = {
+    {"least_iterations", "min_iterations"},
+    {"most_iterations", "max_iterations"},
+    {"smallest", "min"},
+    {"largest", "max"},
+    {"verify", "verification"},
+    {"least_curvature", "min_curvature"},
+    {"largest_bias", "max_bias"},
+};
+
+constexpr double max_count = 1e15;
+constexpr int deepest_nesting = 100;
+
+std::string shown(const Json& value) {
+    std::string text = value.dump(-1, ' ', true, Json::error_handler_t::replace);
+    return text.size() <= 60 ? text : text.substr(0, 57) + "...";
+}
+
+bool is_number_between(const Json& value, double min, double max) {
+    return value.is_number() && value.get<double>() >= min && value.get<double>() <= max;
+}
+
+std::string between(double min, double max) {
+    return number_text(min) + " to " + number_text(max);
+}
+
+std::string listed(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words)
+        text += (text.empty() ? "" : ", ") + word;
+    return text;
+}
+
+/// Damerau's and Levenshtein's distance, in which no letter is edited twice.
+std::size_t edits_between(const std::string& a, const std::string& b) {
+    std::vector<std::vector<std::size_t>> edits(a.size() + 1,
+                                                std::vector<std::size_t>(b.size() + 1));
+    for (std::size_t i = 0; i <= a.size(); ++i)
+        for (std::size_t j = 0; j <= b.size(); ++j) {
+            if (i == 0 || j == 0) {
+                edits[i][j] = i + j;
+                continue;
+            }
+            edits[i][j] = std::min({edits[i - 1][j] + 1, edits[i][j - 1] + 1,
+                                    edits[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                edits[i][j] = std::min(edits[i][j], edits[i - 2][j - 2] + 1);
+        }
+    return edits[a.size()][b.size()];
+}
+
+} // namespace
+
+const std::string& nearest_spelling(const std::string& misspelt,
+                                    const std::vector<std::string>& words) {
+    const std::string start = misspelt.substr(0, 100); // longer ones resemble nothing
+    return *std::min_element(words.begin(), words.end(), [&](const auto& a, const auto& b) {
+        return edits_between(start, a) < edits_between(start, b);
+    });
+}
+
+Json parse_json(const std::string& text, const std::string& file, const std::string& what) {
+    std::string key;
+    std::vector<std::set<std::string>> keys_of_open_objects;
+    const auto watch = [&](int depth, Json::parse_event_t event, Json& parsed) {
+        if (depth > deepest_nesting)
+            throw InputError(file + " is not " + what + ": brackets nest more than " +
+                             std::to_string(deepest_nesting) + " deep");
+        if (event == Json::parse_event_t::object_start)
+            keys_of_open_objects.emplace_back();
+        if (event == Json::parse_event_t::object_end)
+            keys_of_open_objects.pop_back();
+        if (event == Json::parse_event_t::key) {
+            key = parsed.get<std::string>();
+            if (!keys_of_open_objects.back().insert(key).second)
+                throw InputError(file + ": an object has the key " + quoted_text(key) +
+                                 " twice; leave one out");
+        }
+        return true;
+    };
+    try {
+        return Json::parse(text, watch);
+    } catch (const nlohmann::json::out_of_range&) {
+        throw InputError(file + ": '" + key + "' must be a finite number, found one too large");
+    } catch (const nlohmann::json::parse_error& error) {
+        throw InputError(file + " is not JSON, so not " + what + ": syntax error at byte " +
+                         std::to_string(error.byte) +
+                         (key.empty() ? "" : ", after key '" + key + "'"));
+    }
+}
+
+std::string text_of_file(const std::filesystem::path& file, const std::string& expected) {
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream || std::filesystem::is_directory(file))
+        throw InputError(file.string() + " cannot be read; expected " + expected);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+JsonReader::JsonReader(const Json& object, std::string file, std::string prefix)
+    : object(object), file(std::move(file)), prefix(std::move(prefix)) {
+    if (!object.is_object())
+        throw InputError(this->file + ": " +
+                         (this->prefix.empty() ? "the file" : "'" + this->prefix + "'") +
+                         " must hold a JSON object, found " + shown(object));
+}
+
+void JsonReader::refuse(const char* key, const std::string& expected) const {
+    const auto entry = object.find(key);
+    throw InputError(file + ": '" + path(key) + "' must be " + expected + ", found " +
+                     (entry == object.end() ? "none" : shown(*entry)));
+}
+
+const Json& JsonReader::value(const char* key) const {
+    const auto entry = object.find(key);
+    if (entry == object.end())
+        refuse_old_key(key);
+    if (entry == object.end())
+        throw InputError(file + ": key '" + path(key) +
+                         "' is missing; make the file again or add the key");
+    return *entry;
+}
+
+double JsonReader::number(const char* key, double min, double max) const {
+    const Json& entry = value(key);
+    if (!is_number_between(entry, min, max))
+        refuse(key, "a number from " + between(min, max));
+    return entry.get<double>();
+}
+
+int JsonReader::whole_number(const char* key, int min, int max) const {
+    const Json& entry = value(key);
+    if (!is_number_between(entry, min, max) || entry != entry.get<int>())
+        refuse(key, "a whole number from " + std::to_string(min) + " to " + std::to_string(max));
+    return entry.get<int>();
+}
+
+std::size_t JsonReader::count(const char* key) const {
+    const Json& entry = value(key);
+    if (!entry.is_number_unsigned() || entry.get<double>() > max_count)
+        refuse(key, "a whole number that is not negative");
+    return entry.get<std::size_t>();
+}
+
+bool JsonReader::truth(const char* key) const {
+    if (!value(key).is_boolean())
+        refuse(key, "true or false");
+    return value(key).get<bool>();
+}
+
+std::string JsonReader::text(const char* key) const {
+    if (!value(key).is_string())
+        refuse(key, "text");
+    return value(key).get<std::string>();
+}
+
+std::optional<Range> JsonReader::range(const char* key, double min, double max) const {
+    if (value(key).is_null())
+        return {};
+    const JsonReader limits = object_at(key);
+    const Range range{limits.number("min", min, max), limits.number("max", min, max)};
+    if (range.min > range.max)
+        refuse(key, "a range whose min is at most its max");
+    return range;
+}
+
+std::vector<double> JsonReader::numbers(const char* key, double min, double max) const {
+    std::vector<double> numbers;
+    for (const Json& entry : list(key)) {
+        if (!is_number_between(entry, min, max))
+            refuse(key, "a list of numbers from " + between(min, max));
+        numbers.push_back(entry.get<double>());
+    }
+    return numbers;
+}
+
+std::vector<std::string> JsonReader::texts(const char* key) const {
+    std::vector<std::string> texts;
+    for (const Json& entry : list(key)) {
+        if (!entry.is_string())
+            refuse(key, "a list of texts");
+        texts.push_back(entry.get<std::string>());
+    }
+    return texts;
+}
+
+JsonReader JsonReader::object_at(const char* key) const {
+    return {value(key), file, path(key)};
+}
+
+std::vector<JsonReader> JsonReader::objects(const char* key) const {
+    std::vector<JsonReader> objects;
+    for (const Json& entry : list(key))
+        objects.emplace_back(entry, file,
+                             path(key + std::string("[") + std::to_string(objects.size()) + "]"));
+    return objects;
+}
+
+std::size_t JsonReader::choice(const char* key, const std::vector<std::string>& texts) const {
+    const std::string found = text(key);
+    const auto place = std::find(texts.begin(), texts.end(), found);
+    if (place == texts.end())
+        refuse(key, "one of " + listed(texts) + " (did you mean '" +
+                        nearest_spelling(found, texts) + "'?)");
+    return place - texts.begin();
+}
+
+void JsonReader::refuse_old_key(const std::string& key) const {
+    for (const auto& [old_key, new_key] : renamed_keys)
+        if (key == new_key && object.contains(old_key))
+            throw InputError(file + ": the key '" + path(old_key) + "' is now named '" + new_key +
+                             "'; rename it");
+}
+
+void JsonReader::expect_only(const std::vector<std::string>& keys) const {
+    for (const std::string& key : keys)
+        refuse_old_key(key);
+    for (const auto& item : object.items())
+        if (std::find(keys.begin(), keys.end(), item.key()) == keys.end())
+            throw InputError(file + ": there is no key " + quoted_text(path(item.key())) +
+                             "; did you mean '" + nearest_spelling(item.key(), keys) +
+                             "'? Keys here: " + listed(keys));
+}
+
+std::string JsonReader::path(const std::string& key) const {
+    return prefix.empty() ? key : prefix + "." + key;
+}
+
+const Json& JsonReader::list(const char* key) const {
+    if (!value(key).is_array())
+        refuse(key, "a list");
+    return value(key);
+}
+
+Json range_json(const std::optional<Range>& range) {
+    if (!range)
+        return nullptr;
+    return {{"min", range->min}, {"max", range->max}};
+}
+
+} // namespace meniscus

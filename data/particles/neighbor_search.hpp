@@ -1,0 +1,107 @@
+// All pairs of particles closer than a radius, by a uniform grid of cells of that size: only the
+// 27 (in 2D 9) cells around a particle need a look. Cells that fit a small box are indexed
+// directly; scattered ones (two droplets a million radii apart) share a table of buckets that
+// never outgrows the number of particles, so time and memory are linear in the particles whatever
+// the extent of the scene.
+//
+// Where each particle has its own radius, pairs count that are closer than the mean of theirs.
+// Particles whose radii differ by less than a factor of two then share a grid, so that the large
+// cells of a coarse region are not full of the particles of a fine one.
+#pragma once
+
+#include "snapshot.hpp"
+#include "support_radii.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace meniscus {
+
+/// Neighbor lists in compressed rows: the neighbors of particle i are
+/// neighbors[offsets[i]] ... neighbors[offsets[i + 1] - 1], without i itself, in an order that
+/// depends on the positions alone.
+struct NeighborLists {
+    std::vector<std::size_t> offsets; ///< size: particles + 1
+    std::vector<std::uint32_t> neighbors;
+};
+
+/// What leaves pairs out of the lists. Both are empty or have one entry a particle.
+struct NeighborFilter {
+    const std::vector<std::uint8_t>* valid = nullptr; ///< particles with 0 have no neighbors
+    const std::vector<std::int64_t>* phase = nullptr; ///< pairs of different phase do not count
+};
+
+/// Neighbors of one particle, or of one place. Reused from one to the next.
+struct FoundNeighbors {
+    std::vector<std::uint32_t> particles;
+    std::vector<std::array<double, 3>> displacements; ///< from the particle or place, m
+
+    [[nodiscard]] std::size_t size() const { return particles.size(); }
+
+    void clear() {
+        particles.clear();
+        displacements.clear();
+    }
+    void add(std::uint32_t particle, const std::array<double, 3>& displacement) {
+        particles.push_back(particle);
+        displacements.push_back(displacement);
+    }
+};
+
+/// Particles sorted into cells, for one pass over all neighborhoods without lists. Any number of
+/// threads may ask at a time.
+class NeighborGrid {
+public:
+    /// Throws as find_neighbors does.
+    NeighborGrid(const Positions& positions, const SupportRadii& radii,
+                 const NeighborFilter& filter = {}, int threads = 0);
+    NeighborGrid(NeighborGrid&&) noexcept;
+    NeighborGrid& operator=(NeighborGrid&&) noexcept;
+    ~NeighborGrid();
+
+    /// Number of valid particles. Each has a place in the sorted order, where neighbors are close
+    /// in memory.
+    [[nodiscard]] std::size_t size() const;
+
+    /// The particle at a place.
+    [[nodiscard]] std::uint32_t particle(std::size_t place) const;
+
+    /// Replaces `found` by the neighbors of the particle at a place, in the order of
+    /// find_neighbors.
+    void find(std::size_t place, FoundNeighbors& found) const;
+
+    /// Replaces `found` by all particles, whatever their phase and own radius, closer than
+    /// `radius` (m) to any finite position (m).
+    void find_around(const std::array<double, 3>& center, double radius,
+                     FoundNeighbors& found) const;
+
+    struct Cells;
+    struct Levels;
+
+private:
+    friend NeighborLists find_neighbors(const Positions&, const SupportRadii&,
+                                        const NeighborFilter&, int);
+
+    std::unique_ptr<Levels> levels;
+};
+
+/// Radii that differ by more than this factor are refused: nobody simulates that, and the usual
+/// cause is a damaged value or another unit.
+inline constexpr double max_radius_range = 1000;
+
+/// The neighbors of each particle at a distance strictly below its radius (m), or where radii vary,
+/// below the mean of the pair's. `threads` 0 takes all cores; the result does not depend on it.
+/// Throws InputError where a radius is not positive and finite or its square would leave the range
+/// of double (below 1e-150, above 1e150), where a valid particle's position is not finite, where
+/// there are more than 2^32 - 1 particles, or where the extent exceeds what double can resolve
+/// against the radius (2^50 radii). Where radii vary, also where there is not one for each
+/// particle, where they differ by more than max_radius_range, or where the large ones reach
+/// over so many particles that a particle would be compared with more than 100,000 others on
+/// average.
+NeighborLists find_neighbors(const Positions& positions, const SupportRadii& radii,
+                             const NeighborFilter& filter = {}, int threads = 0);
+
+} // namespace meniscus

@@ -1,0 +1,32 @@
+// How many neighbors lie along the direction in which the fewest do: the smallest eigenvalue of the
+// summed products of the unit vectors towards them. The neighbor count over the dimension inside.
+#pragma once
+
+#include "feature_neighbor.hpp"
+
+namespace meniscus {
+inline namespace MENISCUS_INSTRUCTION_SET {
+
+struct DirectionEigenvalue {
+    static constexpr const char* name = "direction_eigenvalue";
+    static constexpr const char* meaning =
+        "smallest eigenvalue of sum_j (x_j - x_i)(x_j - x_i)^T / r_ij^2";
+    static constexpr double float_error = 2e-4;
+    static constexpr bool is_fraction = false;
+    static constexpr bool is_over_kernel = false;
+    template <int Dimension>
+    static constexpr int terms = matrix_terms<Dimension>;
+
+    template <class Real, class Number, int Dimension>
+    MENISCUS_INLINE static void add(const FeatureNeighbor<Number, Dimension>& neighbor,
+                                    Number* sums) {
+        add_to_matrix<Number, Dimension>(neighbor, neighbor.count / neighbor.squared, sums);
+    }
+    template <int Dimension, class Real>
+    static Real value(const Real* sums) {
+        return min_eigenvalue<Dimension>(sums);
+    }
+};
+
+} // namespace MENISCUS_INSTRUCTION_SET
+} // namespace meniscus

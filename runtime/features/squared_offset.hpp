@@ -1,0 +1,30 @@
+// The mass offset with distant neighbors weighing more: each vector times its length.
+#pragma once
+
+#include "feature_neighbor.hpp"
+
+namespace meniscus {
+inline namespace MENISCUS_INSTRUCTION_SET {
+
+struct SquaredOffset {
+    static constexpr const char* name = "squared_offset";
+    static constexpr const char* meaning = "|sum_j m_j (x_j - x_i) r_ij| / (h^2 sum_j m_j)";
+    static constexpr double float_error = 1e-5;
+    static constexpr bool is_fraction = true;
+    static constexpr bool is_over_kernel = false;
+    template <int Dimension>
+    static constexpr int terms = mean_vector_terms<Dimension>;
+
+    template <class Real, class Number, int Dimension>
+    MENISCUS_INLINE static void add(const FeatureNeighbor<Number, Dimension>& neighbor,
+                                    Number* sums) {
+        add_to_mean_vector(neighbor, neighbor.mass * neighbor.distance(), sums);
+    }
+    template <int Dimension, class Real>
+    static Real value(const Real* sums) {
+        return length_of_mean_vector<Dimension>(sums);
+    }
+};
+
+} // namespace MENISCUS_INSTRUCTION_SET
+} // namespace meniscus

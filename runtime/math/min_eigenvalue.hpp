@@ -1,0 +1,54 @@
+// The smallest eigenvalue of a symmetric matrix of two or three rows, in closed form. In double
+// whatever the entries are: near two equal eigenvalues the closed form loses half of the digits.
+#pragma once
+
+#include "../simd/instruction_set.hpp"
+#include "angles.hpp"
+#include "coordinates.hpp"
+
+#include <cmath>
+
+namespace meniscus {
+inline namespace MENISCUS_INSTRUCTION_SET {
+
+namespace eigenvalue {
+
+inline double min_of(const double (&m)[3]) {
+    const double half_difference = (m[0] - m[2]) / 2;
+    return (m[0] + m[2]) / 2 - std::sqrt(half_difference * half_difference + m[1] * m[1]);
+}
+
+/// By the angle of the characteristic polynomial's roots (Smith 1961).
+inline double min_of(const double (&m)[6]) {
+    const double mean = (m[0] + m[2] + m[5]) / 3;
+    const double a = m[0] - mean;
+    const double b = m[2] - mean;
+    const double c = m[5] - mean;
+    const double beside = m[1] * m[1] + m[3] * m[3] + m[4] * m[4];
+    const double squared = (a * a + b * b + c * c + 2 * beside) / 6;
+    if (squared == 0) // a multiple of the identity
+        return mean;
+    const double size = std::sqrt(squared);
+    const double determinant = a * (b * c - m[4] * m[4]) - m[1] * (m[1] * c - m[4] * m[3]) +
+                               m[3] * (m[1] * m[4] - b * m[3]);
+    double cosine = determinant / (2 * squared * size);
+    cosine = cosine < -1 ? -1 : cosine > 1 ? 1 : cosine; // beyond by rounding
+    const double angle = arctangent(std::sqrt((1 - cosine) * (1 + cosine)), cosine);
+    return mean + 2 * size * cosine_and_sine_of_turn((angle / (2 * pi) + 1) / 3)[0];
+}
+
+} // namespace eigenvalue
+
+/// Of the matrix whose entries on and below the diagonal stand in `lower`, row by row: 3 of them in
+/// two dimensions, 6 in three. In their unit; not a number where one of them is none.
+template <int Dimension, class Real>
+Real min_eigenvalue(const Real* lower) {
+    static_assert(Dimension == 2 || Dimension == 3, "matrices have two or three rows");
+    double entries[axis_count<Dimension*(Dimension + 1) / 2>];
+    for (double& entry : entries)
+        entry = static_cast<double>(*lower++);
+    return static_cast<Real>(eigenvalue::min_of(entries));
+}
+
+} // namespace MENISCUS_INSTRUCTION_SET
+} // namespace meniscus

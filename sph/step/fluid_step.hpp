@@ -1,0 +1,534 @@
+// One step of the fluid, whole (symplectic Euler): cell order, neighbors, densities, the
+// divergence-free solve where the solver has one, forces, time step, velocities, pressure, places.
+// Included by step_kernel.cpp, inside the region that is compiled for an instruction set.
+#pragma once
+
+#include "step.hpp"
+
+#include <meniscus/sph/fluid/coincident.hpp>
+#include <meniscus/sph/fluid/neighbor_lists.hpp>
+#include <meniscus/sph/fluid/viscosity.hpp>
+#include <meniscus/sph/pressure/pressure_solvers.hpp>
+#include <meniscus/sph/tension/tension_models.hpp>
+
+#include <chrono>
+
+namespace meniscus {
+inline namespace MENISCUS_INSTRUCTION_SET {
+
+/// Adds up the seconds since it was last asked.
+class StageClock {
+public:
+    double lap() {
+        const auto now = std::chrono::steady_clock::now();
+        const std::chrono::duration<double> passed = now - last;
+        last = now;
+        return passed.count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point last = std::chrono::steady_clock::now();
+};
+
+template <class Real, int Dimension>
+class FluidStep : public Step {
+public:
+    FluidStep(const Scene& step_scene, const SceneParticles& particles, int threads)
+        : scene(step_scene), domain(scene_domain(step_scene, particles)),
+          solver_row(pressure_solvers()[pressure_solver_place(scene.pressure.solver)]) {
+        fluid.loop.loop.threads = threads > 0 ? threads : omp_get_max_threads();
+        fluid.kernel = scene.kernel;
+        fluid.units.support_radius = scene.support_radius;
+        fluid.units.rest_density = scene.rest_density;
+        for (int axis = 0; axis < 3; ++axis)
+            fluid.units.origin[axis] = (domain[0][axis] + domain[1][axis]) / 2;
+        const double h = scene.support_radius;
+        fluid.mass =
+            static_cast<Real>(particles.mass / (scene.rest_density * std::pow(h, Dimension)));
+        const double spacing = scene.particle_spacing / h;
+        solver = make_solver<Real, Dimension>(scene.pressure, spacing);
+        tension = make_tension_model<Real, Dimension>(scene.surface_tension, fluid.units, spacing);
+        if (tension && scene.surface_tension.restrict_to_surface)
+            detector = std::make_unique<MonteCarloTension<Real, Dimension>>(scene.surface_tension,
+                                                                            fluid.units, spacing);
+        add_walls(particles.walls);
+    }
+
+    StepReport advance(SimulationState& state, double longest) override {
+        StepReport report;
+        StageClock clock;
+        sort(state);
+        report.seconds.sort = clock.lap();
+        find_neighbors();
+        report.seconds.neighbors = clock.lap();
+        if (find_densities(fluid)) {
+            part_coincident(fluid, state.positions);
+            sort(state);
+            find_neighbors();
+            find_densities(fluid);
+        }
+        solver->prepare(fluid);
+        report.seconds.density = clock.lap();
+
+        const double last_step =
+            state.time_step > 0 ? std::min(state.time_step, longest) : time_step_for(0, longest);
+        const double first_speed = max_speed(0);
+        fluid.keeps_rounding = is_short(last_step, first_speed);
+        const SolveReport divergence =
+            solver->remove_divergence(fluid, static_cast<Real>(last_step));
+        report.seconds.divergence = clock.lap();
+        add_accelerations(report, clock);
+
+        const double speed = max_speed(last_step);
+        report.time_step = time_step_for(speed, longest);
+        fluid.keeps_rounding = is_short(report.time_step, speed);
+        apply_accelerations(static_cast<Real>(report.time_step));
+        report.seconds.motion = clock.lap();
+        fit_pressures(last_step, report.time_step);
+        fit_pressures_to_speeds(report.time_step, first_speed, speed);
+        const SolveReport pressure = solve_pressure(report.time_step, speed);
+        report.seconds.pressure = clock.lap();
+
+        stop_at_walls(static_cast<Real>(report.time_step));
+        const double last_speed = max_speed(0);
+        fit_pressures_to_speeds(report.time_step, speed, last_speed);
+        move(state, report.time_step);
+        report.time = state.time;
+        report.max_speed = last_speed * scene.support_radius;
+        report.divergence_iterations = divergence.iterations;
+        report.divergence_error = divergence.error;
+        report.pressure_iterations = pressure.iterations;
+        report.density_error = pressure.error;
+        report.converged = divergence.converged && pressure.converged;
+        check(state, report);
+        report.seconds.motion += clock.lap();
+        return report;
+    }
+
+    StepResults evaluate(SimulationState& state) override {
+        sort(state);
+        find_neighbors();
+        find_densities(fluid);
+        StepResults found;
+        const double pressure_unit =
+            scene.rest_density * scene.support_radius * scene.support_radius;
+        found.density.resize(fluid.count);
+        found.pressure.resize(fluid.count);
+        for (std::size_t i = 0; i < fluid.count; ++i) {
+            const auto density = static_cast<double>(fluid.density[i]);
+            found.density[i] = density * scene.rest_density;
+            found.pressure[i] =
+                static_cast<double>(solver->pressure[i]) * density * density * pressure_unit;
+        }
+        if (auto* const model = detector ? detector.get() : tension.get()) {
+            model->add_accelerations(fluid);
+            found.surface = model->results(fluid);
+        }
+        return found;
+    }
+
+private:
+    Scene scene;
+    std::array<Place, 2> domain;
+    const PressureSolverRow& solver_row;
+    Fluid<Real, Dimension> fluid;
+    std::unique_ptr<PressureSolver<Real, Dimension>> solver;
+    std::unique_ptr<SurfaceTensionModel<Real, Dimension>> tension;
+    /// Finds the surface for a model that does not, where forces are restricted to it.
+    std::unique_ptr<SurfaceTensionModel<Real, Dimension>> detector;
+    Cells<Real> cells;
+    Cells<Real> wall_cells;
+    std::vector<std::uint8_t> near_walls; ///< for each cell of the walls
+    Real contact_density = 0;             ///< that a flat wall has half a spacing away
+    ListBuffers buffers;
+    ListBuffers wall_buffers;
+    std::vector<std::uint32_t> cell_of;
+    std::vector<std::uint32_t> order;
+    std::vector<Row<Real>> rows;
+    Positions sorted_places;
+    std::vector<Row<Real>> accelerations_before;
+
+    [[nodiscard]] Row<Real> to_row(const Place& place) const {
+        const double inverse = 1 / scene.support_radius;
+        Row<Real> row;
+        row.x = static_cast<Real>((place[0] - fluid.units.origin[0]) * inverse);
+        row.y = static_cast<Real>((place[1] - fluid.units.origin[1]) * inverse);
+        if constexpr (Dimension == 3)
+            row.z = static_cast<Real>((place[2] - fluid.units.origin[2]) * inverse);
+        return row;
+    }
+
+    /// A place that no list of particles in such cells reaches.
+    static Row<Real> far_from(const CellLayout<Real>& layout) {
+        return {layout.low[0] - 10, layout.low[1] - 10, layout.low[2] - 10, 0};
+    }
+
+    /// Sorts the walls and gives each particle its volume: the smaller, the more others are around
+    /// (Akinci et al. 2012, eq. 4).
+    void add_walls(const Positions& walls) {
+        rows.resize(walls.size());
+        for (std::size_t b = 0; b < walls.size(); ++b)
+            rows[b] = to_row(walls[b]);
+        sort_into_cells(rows.data(), rows.size(), fluid.loop.loop, cell_of, wall_cells, order);
+        fluid.wall_place.resize(walls.size() + 1);
+        for (std::size_t b = 0; b < walls.size(); ++b)
+            fluid.wall_place[b] = rows[order[b]];
+        fluid.wall_place.back() = far_from(wall_cells.layout);
+        wall_cells.take_coordinates(fluid.wall_place.data(), walls.size());
+        near_walls = occupied_surroundings(wall_cells);
+        LaneLists lists;
+        find_lists<Real, Dimension>(wall_cells, fluid.wall_place.data(), walls.size(), true,
+                                    static_cast<std::uint32_t>(walls.size()), fluid.loop,
+                                    wall_buffers, lists);
+        with_kernel<Real, Dimension>(fluid.kernel, [&](auto kernel) {
+            const Real flat = flat_wall_volume(kernel);
+            const double spacing = scene.particle_spacing / scene.support_radius;
+            const auto flat_sum = static_cast<Real>(layer_sum(kernel, spacing, 0));
+            contact_density = flat * static_cast<Real>(layer_sum(kernel, spacing, 0.5));
+            fluid.loop.each(walls.size(), [&](std::size_t b) {
+                Lanes<Real> sum = kernel.value(Lanes<Real>{}) * Lanes<Real>{1, 0, 0, 0, 0, 0, 0, 0};
+                visit_lists<Real, Dimension>(fluid.wall_place.data(), fluid.wall_place[b], lists, b,
+                                             [&](const NeighborLanes<Real, Dimension>& lanes) {
+                                                 sum += kernel.value(lanes.distance_squared);
+                                             });
+                rows[b].w = flat * flat_sum / sum_of_lanes(sum);
+            });
+        });
+        for (std::size_t b = 0; b < walls.size(); ++b)
+            fluid.wall_place[b].w = rows[b].w;
+    }
+
+    /// The volume of a particle in a flat wall. One layer stands for all that the kernel would find
+    /// behind it: with this volume particles on a lattice one spacing off the wall have the density
+    /// that they have inside. For the cubic spline at two spacings it is 0.70 / sum_k W_bk, the
+    /// factor in use for it.
+    template <class Kernel>
+    [[nodiscard]] Real flat_wall_volume(const Kernel& kernel) const {
+        const double spacing = scene.particle_spacing / scene.support_radius;
+        const int reach = static_cast<int>(1 / spacing) + 1;
+        double behind = 0;
+        for (int layer = 1; layer <= reach; ++layer)
+            behind += layer_sum(kernel, spacing, layer);
+        return static_cast<Real>(std::pow(spacing, Dimension) * behind /
+                                 layer_sum(kernel, spacing, 1));
+    }
+
+    /// The sum of W over a lattice plane (in 2D a row) so many spacings away.
+    template <class Kernel>
+    static double layer_sum(const Kernel& kernel, double spacing, double layer) {
+        const int reach = static_cast<int>(1 / spacing) + 1;
+        double sum = 0;
+        for (int x = -reach; x <= reach; ++x)
+            for (int y = Dimension == 3 ? -reach : 0; y <= (Dimension == 3 ? reach : 0); ++y) {
+                const double squared = spacing * spacing * (x * x + y * y + layer * layer);
+                sum += static_cast<double>(
+                    kernel.value(all_lanes<Lanes<Real>>(static_cast<Real>(squared)))[0]);
+            }
+        return sum;
+    }
+
+    void resize(std::size_t count) {
+        fluid.count = count;
+        fluid.place.resize(count + 1);
+        fluid.velocity.resize(count + 1);
+        fluid.acceleration.resize(count);
+        fluid.density.resize(count);
+        fluid.wall_density.resize(count);
+        fluid.wall_gradient.resize(count);
+        fluid.id.resize(count);
+        solver->pressure.resize(count);
+        solver->divergence.resize(count);
+    }
+
+    template <class Value>
+    void reorder(std::vector<Value>& values) const {
+        std::vector<Value> before(values);
+        fluid.loop.each(values.size(), [&](std::size_t i) { values[i] = before[order[i]]; });
+    }
+
+    void sort(SimulationState& state) {
+        const std::size_t count = state.positions.size();
+        resize(count);
+        rows.resize(count);
+        fluid.loop.each(count, [&](std::size_t i) { rows[i] = to_row(state.positions[i]); });
+        sort_into_cells(rows.data(), count, fluid.loop.loop, cell_of, cells, order);
+        reorder(state.ids);
+        reorder(state.positions);
+        reorder(state.velocities);
+        reorder(state.pressures);
+        reorder(state.divergences);
+        const double inverse = 1 / scene.support_radius;
+        fluid.loop.each(count, [&](std::size_t i) {
+            const Place& velocity = state.velocities[i];
+            fluid.place[i] = rows[order[i]];
+            fluid.velocity[i] = {static_cast<Real>(velocity[0] * inverse),
+                                 static_cast<Real>(velocity[1] * inverse),
+                                 static_cast<Real>(velocity[2] * inverse), 0};
+            fluid.id[i] = state.ids[i];
+            solver->pressure[i] = static_cast<Real>(state.pressures[i]);
+            solver->divergence[i] = static_cast<Real>(state.divergences[i]);
+        });
+        take_rounding(state);
+        fluid.place[count] = far_from(cells.layout);
+        fluid.velocity[count] = {0, 0, 0, 1}; // a density to divide by
+        cells.take_coordinates(fluid.place.data(), count);
+    }
+
+    /// What the velocities of the state have that those of the fluid have not, after short steps. A
+    /// pass of its own: g++ 12 makes 0 of it where it stands beside the rounding.
+    void take_rounding(const SimulationState& state) {
+        fluid.rounding.resize(fluid.count);
+        const double inverse = 1 / scene.support_radius;
+        fluid.loop.each(fluid.count, [&](std::size_t i) {
+            const Place& velocity = state.velocities[i];
+            const Row<Real>& row = fluid.velocity[i];
+            fluid.rounding[i] = {
+                static_cast<Real>(velocity[0] * inverse - static_cast<double>(row.x)),
+                static_cast<Real>(velocity[1] * inverse - static_cast<double>(row.y)),
+                static_cast<Real>(velocity[2] * inverse - static_cast<double>(row.z)), 0};
+        });
+    }
+
+    void find_neighbors() {
+        find_lists<Real, Dimension>(cells, fluid.place.data(), fluid.count, true,
+                                    static_cast<std::uint32_t>(fluid.count), fluid.loop, buffers,
+                                    fluid.neighbors);
+        find_lists<Real, Dimension>(wall_cells, fluid.place.data(), fluid.count, false,
+                                    static_cast<std::uint32_t>(fluid.wall_place.size() - 1),
+                                    fluid.loop, wall_buffers, fluid.wall_neighbors, &near_walls);
+    }
+
+    void add_accelerations(StepReport& report, StageClock& clock) {
+        const double h = scene.support_radius;
+        const Row<Real> gravity{static_cast<Real>(scene.gravity[0] / h),
+                                static_cast<Real>(scene.gravity[1] / h),
+                                static_cast<Real>(scene.gravity[2] / h), 0};
+        fluid.loop.each(fluid.count, [&](std::size_t i) { fluid.acceleration[i] = gravity; });
+        add_viscosity(scene.viscosity, fluid);
+        report.seconds.viscosity = clock.lap();
+        if (tension)
+            add_tension();
+        report.surface_particles = detector  ? detector->surface_particles()
+                                   : tension ? tension->surface_particles()
+                                             : 0;
+        report.seconds.surface_tension = clock.lap();
+    }
+
+    void add_tension() {
+        if (!detector) {
+            tension->add_accelerations(fluid);
+            return;
+        }
+        accelerations_before = fluid.acceleration;
+        detector->add_accelerations(fluid);
+        const auto is_surface = detector->results(fluid).surface_class;
+        fluid.acceleration = accelerations_before;
+        tension->add_accelerations(fluid);
+        fluid.loop.each(fluid.count, [&](std::size_t i) {
+            if (is_surface[i] != 2)
+                fluid.acceleration[i] = accelerations_before[i];
+        });
+    }
+
+    /// Of v + dt a, in support radii a second.
+    [[nodiscard]] double max_speed(double dt) const {
+        return std::sqrt(fluid.loop.max(fluid.count, 0, [&](std::size_t i) {
+            const Row<Real> velocity =
+                plus(fluid.velocity[i], static_cast<Real>(dt), fluid.acceleration[i]);
+            return dot_rows(velocity, velocity);
+        }));
+    }
+
+    /// The step that the CFL condition allows (Monaghan 1992), or the fixed one.
+    [[nodiscard]] double time_step_for(double speed, double longest) const {
+        const TimeStepOptions& options = scene.time_step;
+        if (options.fixed)
+            return std::min(*options.fixed, longest);
+        double step = std::min(options.max, options.courant_factor * longest_stable_step());
+        if (speed > 0)
+            step = std::min(step, 0.4 * options.courant_factor * scene.particle_spacing /
+                                      (speed * scene.support_radius));
+        return std::min(std::max(step, options.min), longest);
+    }
+
+    /// What the solver, viscosity (Morris et al. 1997, eq. 26, the smoothing length being
+    /// half the support radius) and capillary waves (Brackbill et al. 1992, eq. 61) allow, s.
+    [[nodiscard]] double longest_stable_step() const {
+        const double h = scene.support_radius;
+        const double spacing = scene.particle_spacing;
+        double step = solver_row.longest_stable_step(scene);
+        if (scene.viscosity.kinematic > 0)
+            step = std::min(step, 0.125 * (h / 2) * (h / 2) / scene.viscosity.kinematic);
+        if (has_sigma(scene.surface_tension) && scene.surface_tension.coefficient > 0)
+            step = std::min(step, std::sqrt(scene.rest_density * spacing * spacing * spacing /
+                                            (2 * pi * scene.surface_tension.coefficient)));
+        return step;
+    }
+
+    /// The longest step, s, that is stable at that speed.
+    [[nodiscard]] double stable_step(double speed) const {
+        double step =
+            std::min(std::max(scene.time_step.max, TimeStepOptions{}.max), longest_stable_step());
+        if (speed > 0)
+            step = std::min(step, 0.4 * scene.particle_spacing / (speed * scene.support_radius));
+        return step;
+    }
+
+    [[nodiscard]] bool is_short(double dt, double speed) const {
+        return dt < stable_step(speed) / 8;
+    }
+
+    /// The time, s, within which solvers that iterate take compression back: that of the step, but
+    /// longer, up to a whole stable one, where the step is short. What a short step took back at
+    /// once would throw particles apart, the faster, the shorter it is.
+    [[nodiscard]] double solve_time(double dt, double speed) const {
+        if (!solver_row.iterates || !is_short(dt, speed))
+            return dt;
+        const double stable = stable_step(speed);
+        return std::min(stable, stable * stable / (64 * dt));
+    }
+
+    SolveReport solve_pressure(double dt, double speed) {
+        const double ahead = solve_time(dt, speed);
+        scale_pressures(dt / ahead); // the state keeps them as they act during a step
+        const SolveReport report = solver->solve(fluid, static_cast<Real>(ahead));
+        scale_pressures(ahead / dt);
+        return report;
+    }
+
+    void scale_pressures(double factor) {
+        if (factor == 1)
+            return;
+        const auto share = static_cast<Real>(factor);
+        fluid.loop.each(fluid.count, [&](std::size_t i) { solver->pressure[i] *= share; });
+    }
+
+    void apply_accelerations(Real dt) {
+        fluid.loop.each(fluid.count,
+                        [&](std::size_t i) { accelerate(fluid, i, dt, fluid.acceleration[i]); });
+        if (scene.viscosity.xsph > 0) {
+            smooth_velocities(static_cast<Real>(scene.viscosity.xsph), fluid, rows);
+            fluid.velocity.swap(rows);
+        }
+    }
+
+    /// What a longer step starts from, half of what is kept, must not move particles farther than
+    /// the last step did: the pressure of an impact would throw them away, once they have come to
+    /// rest and steps are long again.
+    void fit_pressures(double last_step, double dt) {
+        const double ratio = last_step / dt;
+        if (2 * ratio * ratio < 1)
+            scale_pressures(2 * ratio * ratio);
+    }
+
+    /// The same where steps stay as they are, but solves get more time since particles slow down.
+    void fit_pressures_to_speeds(double dt, double last_speed, double speed) {
+        fit_pressures(solve_time(dt, last_speed), solve_time(dt, speed));
+    }
+
+    /// Takes out the approach to a wall that would lead closer to it than half a spacing. Pressure
+    /// keeps a fluid farther off, but a particle alone is as dense as the fluid at rest only when
+    /// it is within the wall, and would pass.
+    void stop_at_walls(Real dt) {
+        fluid.loop.each(fluid.count, [&](std::size_t i) {
+            const Row<Real>& gradient = fluid.wall_gradient[i];
+            const Real approach = dot_rows(fluid.velocity[i], gradient);
+            const Real excess = fluid.wall_density[i] + dt * approach - contact_density;
+            if (approach > 0 && excess > 0)
+                fluid.velocity[i] =
+                    plus(fluid.velocity[i],
+                         -std::min(excess / dt, approach) / dot_rows(gradient, gradient), gradient);
+        });
+    }
+
+    void move(SimulationState& state, double dt) {
+        const double h = scene.support_radius;
+        fluid.loop.each(fluid.count, [&](std::size_t i) {
+            const Row<Real>& row = fluid.velocity[i];
+            const Row<Real> lost = fluid.keeps_rounding ? fluid.rounding[i] : Row<Real>{};
+            const Place velocity = {(static_cast<double>(row.x) + static_cast<double>(lost.x)) * h,
+                                    (static_cast<double>(row.y) + static_cast<double>(lost.y)) * h,
+                                    (static_cast<double>(row.z) + static_cast<double>(lost.z)) * h};
+            state.velocities[i] = velocity;
+            for (int axis = 0; axis < Dimension; ++axis)
+                state.positions[i][axis] += dt * velocity[axis];
+            state.pressures[i] = static_cast<double>(solver->pressure[i]);
+            state.divergences[i] = static_cast<double>(solver->divergence[i]);
+        });
+        state.time += dt;
+        state.time_step = dt;
+        ++state.steps;
+    }
+
+    [[nodiscard]] bool is_in_domain(const Place& place) const {
+        for (int axis = 0; axis < Dimension; ++axis) // false for NaN as well
+            if (!(place[axis] >= domain[0][axis] && place[axis] <= domain[1][axis]))
+                return false;
+        return true;
+    }
+
+    void check(const SimulationState& state, const StepReport& report) const {
+        const double lost = fluid.loop.sum(fluid.count, [&](std::size_t i) {
+            return is_in_domain(state.positions[i]) ? 0.0 : 1.0;
+        });
+        if (lost != 0 || !(report.density_error <= max_density_error))
+            throw_divergence(state, report);
+        if (report.max_speed * report.time_step > longest_move * scene.support_radius)
+            throw_leap(state, report);
+    }
+
+    [[noreturn]] void throw_divergence(const SimulationState& state,
+                                       const StepReport& report) const;
+    [[noreturn]] void throw_leap(const SimulationState& state, const StepReport& report) const;
+
+    static constexpr double max_density_error = 0.5;
+    /// Of a particle in one step, in support radii: more than any courant_factor allows.
+    static constexpr double longest_move = 5;
+};
+
+template <class Real, int Dimension>
+void FluidStep<Real, Dimension>::throw_divergence(const SimulationState& state,
+                                                  const StepReport& report) const {
+    std::uint32_t particle = std::numeric_limits<std::uint32_t>::max();
+    Place place{};
+    for (std::size_t i = 0; i < fluid.count; ++i)
+        if (!is_in_domain(state.positions[i]) && state.ids[i] < particle) {
+            particle = state.ids[i];
+            place = state.positions[i];
+        }
+    const auto densest = static_cast<std::size_t>(
+        std::max_element(fluid.density.begin(), fluid.density.end()) - fluid.density.begin());
+    report_divergence(particle, place, state, report.density_error,
+                      {state.ids[densest], static_cast<double>(fluid.density[densest])});
+}
+
+template <class Real, int Dimension>
+void FluidStep<Real, Dimension>::throw_leap(const SimulationState& state,
+                                            const StepReport& report) const {
+    std::size_t fastest = 0;
+    const auto squared_speed = [&](std::size_t i) {
+        return dot_rows(fluid.velocity[i], fluid.velocity[i]);
+    };
+    for (std::size_t i = 1; i < fluid.count; ++i)
+        if (squared_speed(i) > squared_speed(fastest))
+            fastest = i;
+    report_leap(state.ids[fastest], report.max_speed * report.time_step / scene.support_radius,
+                state);
+}
+
+/// The step for the scene's number type and dimension.
+inline std::unique_ptr<Step> make_fluid_step(const Scene& scene, const SceneParticles& particles,
+                                             int threads) {
+    const bool is_double = scene.precision == Precision::float64;
+    if (scene.dimension == 2) {
+        if (is_double)
+            return std::make_unique<FluidStep<double, 2>>(scene, particles, threads);
+        return std::make_unique<FluidStep<float, 2>>(scene, particles, threads);
+    }
+    if (is_double)
+        return std::make_unique<FluidStep<double, 3>>(scene, particles, threads);
+    return std::make_unique<FluidStep<float, 3>>(scene, particles, threads);
+}
+
+} // namespace MENISCUS_INSTRUCTION_SET
+} // namespace meniscus

@@ -1,0 +1,186 @@
+#!/usr/bin/env python3
+"""Checks who includes whom in the source tree and that the pages name files that exist, and prints
+the longest chains of includes.
+
+Usage: check_layout.py FOLDER
+
+A header and the source of the same name are one unit. Exit status 1 where a rule is broken, with a
+line for each place that breaks one.
+"""
+import re
+import sys
+from pathlib import Path
+
+# Which folders a folder may include from, besides itself. Data flows one way; nothing points back.
+MAY_INCLUDE = {
+    "runtime": set(),
+    "data": {"runtime"},
+    "labeler": {"runtime", "data"},
+    "classifier": {"runtime", "data"},
+    "sph": {"runtime", "data"},
+    "bindings": {"runtime"},
+    "app": {"runtime", "data", "labeler", "classifier", "sph", "bindings", "bench"},
+    # Plain oracles lie in tests/reference.
+    "bench": {"runtime", "data", "labeler", "classifier", "sph", "bindings", "tests"},
+    "tests": {"runtime", "data", "labeler", "classifier", "sph", "bindings", "app", "bench"},
+}
+# What a file's own folder does not hold is looked for here, as in compile_flags.txt.
+SEARCHED = ("include", "tests", "bench")
+COEFFICIENTS = Path("runtime/coefficients")
+WRITTEN_BY_PROGRAM = re.compile(r"`meniscus export`; do not edit")
+# What a test writes for itself while it is configured.
+WRITTEN_BY_BUILD = {"all_headers.hpp", "readme_includes.hpp", "readme_lines.hpp"}
+
+
+def sources(root):
+    """All sources below the root, as paths relative to it."""
+    return sorted(path.relative_to(root) for folder in MAY_INCLUDE
+                  for path in (root / folder).rglob("*") if path.suffix in (".hpp", ".cpp", ".h", ".c"))
+
+
+def includes(root, path, errors):
+    """The files of the tree that a file includes."""
+    text = (root / path).read_text()
+    for bracket, name in re.findall(r'^\s*#\s*include\s+([<"])([^>"]+)', text, re.MULTILINE):
+        if bracket == "<" and not name.startswith("meniscus/") or name in WRITTEN_BY_BUILD:
+            continue
+        own = [] if bracket == "<" else [root / path.parent]
+        found = [folder / name for folder in own + [root / folder for folder in SEARCHED]
+                 if (folder / name).exists()]
+        if not found or (".." in name and path.parts[0] != "runtime"):
+            errors.append(f"{path}: {name} is not found or points out of its room; write "
+                          "<meniscus/FOLDER/ROOM/FILE.hpp>")
+        if found:
+            yield found[0].resolve().relative_to(root.resolve())
+
+
+def unit(path):
+    return path.with_suffix("")
+
+
+def room(unit):
+    """The room that a unit lies in; its folder where it lies in none."""
+    return Path(*unit.parts[:min(2, len(unit.parts) - 1)])
+
+
+def check_arrow(path, other, errors):
+    """One file includes another: may it?"""
+    folder = path.parts[0]
+    if other.parts[0] != folder and other.parts[0] not in MAY_INCLUDE[folder]:
+        errors.append(f"{path} includes {other}, but {folder}/ may include only from "
+                      f"{', '.join(sorted(MAY_INCLUDE[folder])) or 'itself'}")
+    if "detail" in other.parts:
+        room = Path(*other.parts[:other.parts.index("detail")])
+        if room not in path.parents:
+            errors.append(f"{path} includes {other}, which {room}/ keeps for itself")
+
+
+def check_generated(root, path, errors):
+    """Headers that a program writes lie in one room, which holds nothing else."""
+    written = bool(WRITTEN_BY_PROGRAM.search((root / path).read_text()[:1000]))
+    if path.suffix == ".hpp" and written != (path.parent == COEFFICIENTS):
+        errors.append(f"{path}: only headers that `meniscus export` writes lie in {COEFFICIENTS}/, and "
+                      "all of them do")
+
+
+def check_pages(root, errors):
+    """Links between files, and files that a page names by their whole path: NAME stands for any. The
+    changelog also names files that are gone."""
+    named = re.compile(rf"\b(?:{'|'.join(MAY_INCLUDE)}|configs|docs|scripts|cmake)/[\w/.-]+\.\w+\b")
+    for page in sorted([*root.glob("*.md"), *root.glob("docs/*.md")]):
+        text = page.read_text()
+        links = re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", text)
+        missing = {name for name in links if not (page.parent / name).exists()}
+        if page.name != "CHANGELOG.md":
+            missing |= {name for name in named.findall(re.sub(r"\]\([^)]*\)", "", text))
+                        if "/NAME." not in name and not (root / name).exists()
+                        and not (root / "include/meniscus" / name).exists()}
+        errors += [f"{page.relative_to(root)}: {name} does not exist" for name in sorted(missing)]
+
+
+def circle(graph):
+    """Nodes of a circle, the first one repeated at the end, or none."""
+    done, way = set(), []
+
+    def visit(node):
+        if node in way:
+            return way[way.index(node):] + [node]
+        if node in done:
+            return []
+        way.append(node)
+        for other in sorted(graph.get(node, ())):
+            if found := visit(other):
+                return found
+        way.pop()
+        done.add(node)
+        return []
+
+    for node in sorted(graph):
+        if found := visit(node):
+            return found
+    return []
+
+
+def without_circles(graph, name, errors):
+    """The graph less what closes a circle, of which each is an error."""
+    cut = dict(graph)
+    while found := circle(cut):
+        errors.append(f"{name}: " + " -> ".join(map(str, found)))
+        cut[found[-2]] = cut[found[-2]] - {found[-1]}
+    return cut
+
+
+def rooms_of(graph, errors):
+    """Which rooms include from which, the tests' own aside. Rooms stand on one another, too."""
+    rooms = {}
+    for node, others in graph.items():
+        if node.parts[0] not in ("bench", "tests"):
+            rooms.setdefault(room(node), set()).update(map(room, others))
+    return without_circles({node: others - {node} for node, others in rooms.items()},
+                           "a circle of rooms", errors)
+
+
+def longest_chain(graph):
+    """The longest way through a graph without circles."""
+    longest = {}
+
+    def chain(node):
+        if node not in longest:
+            longest[node] = [node] + max((chain(other) for other in sorted(graph.get(node, ()))),
+                                         key=len, default=[])
+        return longest[node]
+
+    return max((chain(node) for node in sorted(graph)), key=len, default=[])
+
+
+def check(root):
+    """What breaks a rule, and who includes whom by units."""
+    errors, graph = [], {}
+    for path in sources(root):
+        check_generated(root, path, errors)
+        others = graph.setdefault(unit(path), set())
+        for other in includes(root, path, errors):
+            check_arrow(path, other, errors)
+            if unit(other) != unit(path):
+                others.add(unit(other))
+    check_pages(root, errors)
+    return errors, without_circles(graph, "a circle", errors)
+
+
+def main():
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    errors, graph = check(Path(sys.argv[1]))
+    for kind, nodes in ("rooms", rooms_of(graph, errors)), ("files", graph):
+        for folder in ("runtime", "sph"):
+            inside = {node: {other for other in others if other.parts[0] == folder}
+                      for node, others in nodes.items() if node.parts[0] == folder}
+            chain = longest_chain(inside)
+            print(f"{folder}/: {len(chain)} levels of {kind}, " + " -> ".join(map(str, chain)))
+    for error in errors:
+        print(error, file=sys.stderr)
+    sys.exit(1 if errors else 0)
+
+
+if __name__ == "__main__":
+    main()
