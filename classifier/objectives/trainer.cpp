@@ -22,7 +22,7 @@ void widen(std::optional<Range>& range, std::optional<double> value) {
     range->max = std::max(range->max, *value);
 }
 
-std::string names_of(const std::vector<LabelledState>& states) {
+std::string file_names(const std::vector<LabelledState>& states) {
     const std::string first = states.front().file;
     return states.size() == 1 ? first
                               : first + " and " + std::to_string(states.size() - 1) + " more files";
@@ -45,10 +45,10 @@ void check_classes(const std::vector<LabelledState>& states, double label_thresh
         return;
     const std::string threshold = number_text(label_threshold);
     if (surface == 0)
-        throw InputError(names_of(states) + ": no surface particle to train on among " +
+        throw InputError(file_names(states) + ": no surface particle to train on among " +
                          std::to_string(particles) + " (uncovered fraction above " + threshold +
                          "); give other files or a lower --label-threshold");
-    throw InputError(names_of(states) + ": no interior particle to train on among " +
+    throw InputError(file_names(states) + ": no interior particle to train on among " +
                      std::to_string(particles) + " (uncovered fraction at most " + threshold +
                      "); give other files or a higher --label-threshold");
 }
@@ -58,7 +58,7 @@ void check_training(const std::vector<LabelledState>& states, const TrainingOpti
         throw InputError("no labelled file to train on; give at least one");
     if (!objective_named(options.objective).any_features && !is_of_paper(states.front().features))
         throw InputError("objective '" + options.objective + "' fits lines of the features " +
-                         names_of({}) + ", not of " + names_of(states.front().features) +
+                         names_of(FeaturePair{}) + ", not of " + names_of(states.front().features) +
                          "; train with --objective neyman-pearson");
     check_label_threshold(options.label_threshold);
     for (const LabelledState& state : states)

@@ -71,7 +71,8 @@ std::vector<double> neighbor_counts(const Snapshot& snapshot, bool boundary_coun
 std::vector<double> feature_values(const Snapshot& snapshot, std::size_t feature,
                                    const std::vector<double>& valid, const std::string& file) {
     const std::string name = feature_list[feature].name;
-    if (find_array(snapshot, name) == nullptr)
+    const bool of_every_label = feature == FeaturePair{}.first || feature == FeaturePair{}.second;
+    if (!of_every_label && find_array(snapshot, name) == nullptr)
         throw InputError(file + " has no array '" + name + "'; run `meniscus label --features " +
                          name + "` on it first");
     if (feature == FeaturePair{}.first)
