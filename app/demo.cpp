@@ -5,6 +5,7 @@
 #include <meniscus/classifier/audit/audit.hpp>
 #include <meniscus/classifier/export/header_export.hpp>
 #include <meniscus/classifier/objectives/trainer.hpp>
+#include <meniscus/data/particles/feature_names.hpp>
 #include <meniscus/data/text/files.hpp>
 
 #include <fmt/format.h>
@@ -19,20 +20,32 @@ struct DemoCommand {
     bool quiet = false;
 };
 
-Model train_on(const std::vector<Path>& labelled, double label_threshold) {
+std::vector<LabelledState> states_of(const std::vector<Path>& labelled,
+                                     const FeaturePair& features) {
     std::vector<LabelledState> states;
     states.reserve(labelled.size());
     for (const Path& file : labelled)
-        states.push_back(read_labelled_state(file, ""));
+        states.push_back(read_labelled_state(file, "", features));
+    return states;
+}
+
+/// Two lines, of the features of those that ship.
+Model train_on(const std::vector<Path>& labelled, double label_threshold) {
+    const auto states = states_of(labelled, {});
     TrainingOptions options;
     options.label_threshold = label_threshold;
-    return train(states, options);
+    Model model = train(states, options);
+    add_second_line(
+        model, states,
+        states_of(labelled, feature_pair({MassOffset::name, DirectionEigenvalue::name})));
+    return model;
 }
 
 void run_demo(const DemoCommand& command) {
     LabelCommand labelling;
     labelling.files = {sample_snapshots(), command.folder / "labelled"};
     labelling.quiet = command.quiet;
+    labelling.label.features = {feature_named(DirectionEigenvalue::name)};
     if (!command.quiet)
         fmt::print("Labelling {} snapshots:\n", labelling.files.inputs.size());
     const auto labelled = run_label(labelling);
@@ -51,9 +64,10 @@ void run_demo(const DemoCommand& command) {
     const AuditReport report = audit(model, labelled, options);
     if (command.quiet)
         return;
-    fmt::print("\nThe line (a particle is surface where y <= k x + d):\n"
-               "  k = {:.4f}, d = {:.4f}    {}\n",
-               model.line.k, model.line.d, model_file.string());
+    fmt::print("\nThe lines, of the mass offset x and the neighbor count y, and of what passes the "
+               "first:\n  {}\n  {}\n  {}\n",
+               line_text(model.line, model.features, 6),
+               line_text(model.second->line, model.second->features, 6), model_file.string());
     fmt::print("\nAudit on the snapshots that it was trained on:\n{}", to_table(report));
     fmt::print("\nThe header for your solver, {}:\n\n{}", header_file.string(), header);
 }

@@ -39,6 +39,9 @@ void add_input_options(CLI::App& verb, InputOptions& options) {
                     "for each particle");
     verb.add_option("--particle-spacing", options.particle_spacing,
                     "Initial distance of particles in m, where the files do not store it");
+    verb.add_option("--particle-volume", options.particle_volume,
+                    "Volume of a particle at rest, m / rho_0, in m^3 (in 2D m^2), where the files "
+                    "do not store it (default: measured)");
     verb.add_option("--dimension", options.dimension,
                     "2 or 3, where the files do not store it (default: 2 if all z are equal)")
         ->check(CLI::IsMember({2, 3}));
@@ -50,9 +53,12 @@ void add_input_options(CLI::App& verb, InputOptions& options) {
 Snapshot read_input(const Path& file, const InputOptions& options) {
     check_positive("--support-radius", options.support_radius);
     check_positive("--particle-spacing", options.particle_spacing);
+    check_positive("--particle-volume", options.particle_volume);
     Snapshot snapshot = read_snapshot(file);
     if (options.particle_spacing)
         snapshot.particle_spacing = options.particle_spacing;
+    if (options.particle_volume)
+        snapshot.particle_volume = options.particle_volume;
     if (options.dimension)
         snapshot.dimension = *options.dimension;
     if (options.dimension == 2)

@@ -23,11 +23,12 @@ bool is_up_to_date(const Path& output, const Snapshot& input) {
     const auto existing = earlier_output(output, "uncovered_fraction");
     return existing && existing->scene == input.scene && existing->dimension == input.dimension &&
            existing->particle_spacing == input.particle_spacing &&
+           (!input.particle_volume || existing->particle_volume == input.particle_volume) &&
            existing->provenance == input.provenance;
 }
 
 void report(const Path& output, const Snapshot& snapshot, const Labels& labels,
-            bool boundary_counts, bool quiet) {
+            double boundary_weight, bool quiet) {
     for (const std::string& warning : labels.warnings)
         print_error_line("warning: " + output.string() + ": " + warning);
     const double mean = mean_neighbor_count(labels);
@@ -42,12 +43,14 @@ void report(const Path& output, const Snapshot& snapshot, const Labels& labels,
         return;
     const auto surface = std::accumulate(labels.surface.begin(), labels.surface.end(), 0UL);
     const auto valid = std::accumulate(labels.valid.begin(), labels.valid.end(), 0UL);
-    fmt::print("{}: {} particles in {}D, {} surface, mean neighbor count {:.1f}{}{}\n{}",
+    fmt::print("{}: {} particles in {}D, {} surface, mean neighbor count {:.1f}, h = {:.2f} "
+               "spacings{}{}\n{}",
                output.string(), snapshot.size(), snapshot.dimension, surface, mean,
+               labels.spacing_ratio,
                snapshot.boundary.empty()
                    ? ""
                    : fmt::format(", {} boundary particles cover{}", snapshot.boundary.size(),
-                                 boundary_counts ? " and count" : ""),
+                                 boundary_weight > 0 ? " and count" : ""),
                valid == snapshot.size() ? ""
                                         : fmt::format(", {} left out as not finite or too far out",
                                                       snapshot.size() - valid),
@@ -79,7 +82,7 @@ void label_file(const Path& input, const Path& output, const Boundary& boundary,
         const WriteGuard guard;
         write_vtkhdf(snapshot, output);
     }
-    report(output, snapshot, labels, command.label.boundary_counts, command.quiet);
+    report(output, snapshot, labels, command.label.boundary_weight, command.quiet);
 }
 
 /// Refuses what no sampling scheme is called.
@@ -177,15 +180,22 @@ void add_label(CLI::App& command) {
     verb->add_option_function<std::vector<std::string>>(
             "--features",
             [options](const std::vector<std::string>& names) {
+                auto& features = options->label.features;
                 for (const std::string& name : names)
-                    options->label.features.push_back(feature_named(name));
+                    if (name == "all")
+                        for (std::size_t feature = 0; feature < feature_count; ++feature)
+                            features.push_back(feature);
+                    else
+                        features.push_back(feature_named(name));
             },
-            fmt::format("Features to store beside {}, of {}", names_of({}), feature_names()))
+            fmt::format("Features to store beside {}, of {}; or all", names_of(FeaturePair{}),
+                        feature_names()))
         ->delimiter(',');
-    verb->add_flag("--boundary-counts", options->label.boundary_counts,
-                   "Boundary particles count in the features too, each with the mean mass of the "
-                   "fluid particles: for a solver whose own sums include them (default: they only "
-                   "cover)");
+    verb->add_option("--boundary-weight", options->label.boundary_weight,
+                     "Share of its volume by which a boundary particle counts in the features; 0: "
+                     "it only covers")
+        ->check(CLI::Range(0.0, 10.0))
+        ->capture_default_str();
     verb->add_flag(
         "--skip-invalid", options->label.skip_invalid,
         "Leave particles out, with valid = 0, whose position is not finite or lies too far "

@@ -14,6 +14,7 @@ namespace meniscus {
 struct InputOptions {
     std::optional<double> support_radius;   ///< m
     std::optional<double> particle_spacing; ///< m
+    std::optional<double> particle_volume;  ///< at rest, m^3 (in 2D m^2)
     std::optional<int> dimension;           ///< 2 or 3
     std::string scene;
 };

@@ -1,5 +1,6 @@
 // meniscus simulate: runs a scene and writes its frames, its log and its checkpoints.
 #include "command_line.hpp"
+#include "scene_model.hpp"
 
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/files.hpp>
@@ -88,7 +89,8 @@ void run_simulate(const SimulateCommand& command) {
     std::vector<std::string> changes = command.changes;
     if (!command.duration.empty())
         changes.push_back("duration=" + command.duration);
-    const Scene scene = read_scene(command.scene, command.variant, changes);
+    Scene scene = read_scene(command.scene, command.variant, changes);
+    use_model_file(scene);
     if (!command.profile.empty())
         check_can_be_written(command.profile);
     make_writable_folder(command.folder);

@@ -19,7 +19,8 @@ constexpr std::size_t min_for_time_step = 16;
 
 /// What model and input give, so that the command line does not.
 bool comes_with_input(const char* name) {
-    const std::vector<std::string> names = {"k", "d", "radius_ratio", "spacing_ratio"};
+    const std::vector<std::string> names = {"k", "d", "boundary_weight", "radius_ratio",
+                                            "spacing_ratio"};
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
@@ -231,9 +232,9 @@ SurfaceTensionOptions surface_options(const SurfaceChoices& choices) {
 SurfaceReport add_surface(Snapshot& snapshot, const Classes& classes, const Model& model,
                           SurfaceTensionOptions options, bool balanced, int threads) {
     const SupportRadii& radii = classes.neighborhoods.radii;
-    const bool knows_spacing = snapshot.particle_spacing && !radii.vary();
     options.radius_ratio = model.radius_ratio;
-    options.spacing_ratio = knows_spacing ? radii.max / *snapshot.particle_spacing : 2;
+    options.boundary_weight = model.boundary_weight;
+    options.spacing_ratio = classes.neighborhoods.spacing_ratio;
     const auto boundary = find_boundary_neighbors(snapshot, radii, classes.valid, threads);
     const auto ids = sampling_ids(snapshot, classes.valid);
     const auto particles = step_particles(snapshot, classes, boundary, ids);
@@ -244,11 +245,11 @@ SurfaceReport add_surface(Snapshot& snapshot, const Classes& classes, const Mode
     SurfaceReport report = {words_for(step->results(), options), ""};
     set_results(snapshot, step->results());
     set_provenance(snapshot, options, balanced);
-    if (!knows_spacing)
-        report.note = radii.vary() ? "    particle spacing: half of each support radius\n"
-                                   : fmt::format("    particle spacing {} m: half the support "
-                                                 "radius; --particle-spacing gives another\n",
-                                                 radii.max / 2);
+    report.note =
+        fmt::format("    h is {:.2f} spacings of particles at rest{}\n", options.spacing_ratio,
+                    snapshot.particle_volume && !radii.vary()
+                        ? ""
+                        : ", as measured; --particle-volume gives another");
     return report;
 }
 

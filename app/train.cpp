@@ -2,6 +2,7 @@
 #include "command_line.hpp"
 
 #include <meniscus/classifier/objectives/objectives.hpp>
+#include <meniscus/classifier/objectives/pair_search.hpp>
 #include <meniscus/classifier/objectives/scene_errors.hpp>
 #include <meniscus/classifier/objectives/trainer.hpp>
 #include <meniscus/classifier/training_set/labelled_state.hpp>
@@ -19,27 +20,45 @@ struct TrainCommand {
     Path output;
     std::string scene;
     Path keep_k;
-    std::vector<std::string> features; ///< empty: those of keep_k, else the paper's
+    std::vector<std::string> features;        ///< empty: those of keep_k, else the paper's
+    std::vector<std::string> second_features; ///< empty: one line
     TrainingOptions training;
-    bool relative_count = false;
     bool quiet = false;
 };
 
-std::vector<LabelledState> read_states(const TrainCommand& command) {
-    FeaturePair features;
+/// Asked for in place of names: all pairs are tried.
+const std::vector<std::string> search = {"search"};
+
+FeaturePair first_features(const TrainCommand& command) {
     if (!command.features.empty())
-        features = feature_pair(command.features);
-    else if (command.training.keep_k)
-        features = command.training.keep_k->features;
+        return feature_pair(command.features);
+    return command.training.keep_k ? command.training.keep_k->features : FeaturePair{};
+}
+
+std::vector<LabelledState> read_states(const TrainCommand& command, const FeaturePair& features) {
     std::vector<LabelledState> states;
     ProgressBar bar("reading", command.inputs.size(), command.quiet);
     for (const Path& input : command.inputs) {
         states.push_back(read_labelled_state(input, command.scene, features));
-        if (command.relative_count)
-            make_relative(states.back());
         bar.show(states.size());
     }
     return states;
+}
+
+/// The best of all pairs, for a second line where there is a first; prints what each would do.
+FeaturePair searched_features(const TrainCommand& command, const Model* first) {
+    const auto states_of = [&](const FeaturePair& pair) { return read_states(command, pair); };
+    const auto results = search_pairs(states_of, command.training.label_threshold, first);
+    if (!command.quiet) {
+        fmt::print("{:<42} {:>15} {:>24} {:>16}   line\n",
+                   first == nullptr ? "features" : "features of a second line", "false positives",
+                   "candidates for a surface", "sums a neighbor");
+        for (const PairResult& one : results)
+            fmt::print("{:<42} {:>13.2f} % {:>24.2f} {:>16}   {}\n", names_of(one.features),
+                       100 * one.false_positive_rate, one.candidates, one.sums,
+                       line_text(one.line, one.features, 5));
+    }
+    return results.front().features;
 }
 
 void run_train(TrainCommand& command) {
@@ -47,19 +66,30 @@ void run_train(TrainCommand& command) {
     check_can_be_written(command.output);
     if (!command.keep_k.empty())
         command.training.keep_k = read_model(command.keep_k);
-    if (command.training.keep_k && command.training.keep_k->reference_neighbor_count > 0)
-        command.relative_count = true;
-    const auto states = read_states(command);
-    const Model model = train(states, command.training);
+    const auto states =
+        read_states(command, command.features == search ? searched_features(command, nullptr)
+                                                        : first_features(command));
+    Model model = train(states, command.training);
+    std::vector<SceneErrors> errors = count_errors(states, model.line, model.label_threshold);
+    if (!command.second_features.empty()) {
+        auto others = read_states(command, command.second_features == search
+                                               ? searched_features(command, &model)
+                                               : feature_pair(command.second_features));
+        errors = add_second_line(model, states, std::move(others));
+    }
     {
         const WriteGuard guard;
         write_whole(command.output, model_to_json(model));
     }
     if (command.quiet)
         return;
-    fmt::print("{}: {} ({}, label threshold {})\n", command.output.string(),
-               line_text(model.line, model.features, 8), model.objective, model.label_threshold);
-    for (const SceneErrors& scene : count_errors(states, model.line, model.label_threshold))
+    fmt::print("{}: {}{} ({}, label threshold {})\n", command.output.string(),
+               line_text(model.line, model.features, 8),
+               model.second
+                   ? "; of these " + line_text(model.second->line, model.second->features, 8)
+                   : "",
+               model.objective, model.label_threshold);
+    for (const SceneErrors& scene : errors)
         fmt::print("  {}: {} particles, {} surface, {} false negatives, {} false positives "
                    "({:.2f} %)\n",
                    scene.scene, scene.particles, scene.surface_particles, scene.false_negatives,
@@ -99,17 +129,21 @@ void add_train(CLI::App& command) {
     verb->add_option("--label-threshold", options->training.label_threshold,
                      "Surface means an uncovered fraction above this")
         ->capture_default_str();
-    verb->add_option("--features", options->features,
-                     fmt::format("The two features x and y of the line, of {} (default: {})",
-                                 feature_names(), names_of({})))
+    verb->add_option(
+            "--features", options->features,
+            fmt::format("The two features x and y of the line, of {}; or `search`: tries all "
+                        "pairs, prints what each lets through and costs, and takes the best "
+                        "(default: {})",
+                        feature_names(), names_of(FeaturePair{})))
+        ->delimiter(',');
+    verb->add_option(
+            "--second-features", options->second_features,
+            "Train a second line of these two features, or of the best (`search`), for what "
+            "the first lets through")
         ->delimiter(',');
     verb->add_option("--keep-k", options->keep_k,
                      "Keep this model's slope k, shift only d to these snapshots")
         ->excludes(objective);
-    verb->add_flag("--relative-count", options->relative_count,
-                   "Measure neighbor counts by the median of their state: far fewer false "
-                   "positives where the fluid is compressed by turns; the solver then passes its "
-                   "median");
     verb->add_option("--scene", options->scene, "Scene of all snapshots, in place of their own");
     verb->add_option("--seed", options->training.seed, "Seed of network's weights and batches")
         ->check(whole_numbers())

@@ -3,9 +3,9 @@
 #include <meniscus/labeler/exact/exact_labels.hpp>
 #include <meniscus/labeler/monte_carlo/coverage.hpp>
 
-#include <meniscus/data/particles/boundary_rule.hpp>
 #include <meniscus/data/particles/neighbor_search.hpp>
 #include <meniscus/data/particles/particle_arrays.hpp>
+#include <meniscus/data/particles/particle_volumes.hpp>
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/text.hpp>
 #include <meniscus/runtime/features/scaled_features.hpp>
@@ -23,6 +23,9 @@ namespace meniscus {
 namespace {
 
 void check_options(const LabelOptions& options) {
+    if (!(options.boundary_weight >= 0 && options.boundary_weight <= 10))
+        throw InputError("boundary weight must lie between 0 and 10, found " +
+                         number_text(options.boundary_weight));
     if (!(options.radius_ratio > 0 && options.radius_ratio < 1))
         throw InputError("radius ratio must lie between 0 and 1, found " +
                          number_text(options.radius_ratio));
@@ -44,8 +47,9 @@ struct Work {
     std::vector<std::int64_t> ids; ///< or empty
     std::optional<NeighborGrid> grid;
     std::optional<NeighborGrid> boundary; ///< where there is one
-    bool boundary_counts = false;
-    double boundary_mass = 1;
+    double spacing_ratio = 0;             ///< measured_spacing_ratio()
+    BoundaryWeights boundary_weights;     ///< where they count in features
+    double boundary_share = 0;            ///< of these weights
     LabelMethod method = LabelMethod::exact;
     std::vector<std::size_t> features; ///< beside the paper's
     DirectionBlocks table;             ///< empty where each particle draws its own directions
@@ -80,8 +84,10 @@ void sort_particles(Work& work, const Snapshot& snapshot, const LabelOptions& op
         return;
     check_boundary(snapshot);
     work.boundary.emplace(snapshot.boundary, work.radii.min, NeighborFilter{}, options.threads);
-    work.boundary_counts = options.boundary_counts;
-    work.boundary_mass = mean_mass(work.masses, work.valid);
+    work.boundary_share = options.boundary_weight;
+    if (options.boundary_weight > 0)
+        work.boundary_weights =
+            boundary_weights(snapshot, work.radii, work.valid, work.spacing_ratio, options.threads);
 }
 
 Work prepare_work(const Snapshot& snapshot, const SupportRadii& radii,
@@ -98,6 +104,7 @@ Work prepare_work(const Snapshot& snapshot, const SupportRadii& radii,
     work.radius_ratio = options.radius_ratio;
     work.valid = checked_positions(snapshot, radii, options.skip_invalid);
     work.masses = checked_masses(snapshot, work.valid);
+    work.spacing_ratio = measured_spacing_ratio(snapshot, work.radii, work.valid, options.threads);
     sort_particles(work, snapshot, options);
     if (options.method == LabelMethod::exact)
         return work;
@@ -139,78 +146,81 @@ void count_for_features(const Work& work, const Direction& displacement, double 
             [&](const auto& neighbor) { workspace.counted<Dimension>().push_back(neighbor); });
 }
 
-/// Gathers what covers particle i, which stands at a place of the grid, and its features.
-template <int Dimension>
-void gather_neighbors(const Work& work, std::size_t place, std::size_t i, const Direction& center,
-                      Workspace& workspace, Labels& labels) {
-    std::vector<Direction>& coverers = workspace.caps.displacements;
-    FoundNeighbors& found = workspace.found;
-    const double support_radius = work.radii.max;
-    const UniformRadius<double> radii{support_radius};
-    const double scale = 1 / support_radius;
-    FeatureSum<double, 3> sum;
-    work.grid->find(place, found);
-    for (std::size_t n = 0; n < found.size(); ++n) {
-        const Direction& displacement = found.displacements[n];
-        const double distance_squared = squared_length<double, 3>(displacement);
-        const double mass = mass_of(work, found.particles[n]);
-        sum.add(displacement, distance_squared, mass, work.range);
-        count_for_features<Dimension>(work, displacement, mass, i, i, radii, workspace);
-        if (work.range.contains(distance_squared))
-            coverers.push_back(in_radii(displacement, scale));
-    }
-    if (work.boundary) {
-        work.boundary->find_around(center, support_radius, found);
-        for (const Direction& displacement : found.displacements) {
-            const double distance_squared = squared_length<double, 3>(displacement);
-            if (work.boundary_counts) {
-                sum.add(displacement, distance_squared, work.boundary_mass, work.range);
-                count_for_features<Dimension>(work, displacement, work.boundary_mass, i, i, radii,
-                                              workspace);
-            }
-            if (work.range.contains(distance_squared))
-                coverers.push_back(in_radii(displacement, scale));
-        }
-    }
-    labels.mass_offset[i] = mass_offset(sum, support_radius);
-    labels.neighbor_count[i] = sum.count;
-    set_features<Dimension>(work, i, workspace, labels);
+/// The same for a boundary particle.
+template <int Dimension, class Radii>
+void count_boundary(const Work& work, const Direction& displacement, double mean_mass,
+                    double weight, std::size_t i, const Radii& radii, Workspace& workspace) {
+    if (!work.features.empty())
+        visit_if_in_range<Dimension>(displacement, weight * mean_mass, i, i, radii, work.range,
+                                     [&](auto neighbor) {
+                                         neighbor.count = weight;
+                                         workspace.counted<Dimension>().push_back(neighbor);
+                                     });
 }
 
-/// The same where radii vary.
-template <int Dimension>
-void gather_scaled(const Work& work, std::size_t place, std::size_t i, const Direction& center,
-                   Workspace& workspace, Labels& labels) {
+/// Gathers what covers particle i, which stands at a place of the grid, and its features, as
+/// UniformRadius or VaryingRadii have it.
+template <int Dimension, class Radii>
+void gather(const Work& work, std::size_t place, std::size_t i, const Direction& center,
+            const Radii& radii, Workspace& workspace, Labels& labels) {
     FoundNeighbors& found = workspace.found;
-    const VaryingRadii<double> radii{work.radii.each.data()};
-    ScaledFeatureSum<double, Dimension> sum;
+    FeatureSum<double, Dimension, double> sum;
     const auto cover = [&](const Direction& displacement, std::size_t j) {
         const Direction scaled = in_radii(displacement, radii.inverse_of_pair(i, j));
-        if (work.range.contains(squared_length<double, 3>(scaled)))
+        // One radius is told apart in m, as its features are.
+        const Direction& measured = Radii::varies ? scaled : displacement;
+        if (work.range.contains(squared_length<double, 3>(measured)))
             workspace.caps.displacements.push_back(scaled);
     };
     work.grid->find(place, found);
     for (std::size_t n = 0; n < found.size(); ++n) {
+        const Direction& displacement = found.displacements[n];
         const std::size_t j = found.particles[n];
-        add_scaled(found.displacements[n], mass_of(work, j), i, j, radii, work.range, sum);
-        count_for_features<Dimension>(work, found.displacements[n], mass_of(work, j), i, j, radii,
-                                      workspace);
-        cover(found.displacements[n], j);
+        const double mass = mass_of(work, j);
+        if constexpr (Radii::varies)
+            add_scaled(displacement, mass, i, j, radii, work.range, sum);
+        else
+            sum.add(displacement, squared_length<double, Dimension>(displacement), mass,
+                    work.range);
+        count_for_features<Dimension>(work, displacement, mass, i, j, radii, workspace);
+        cover(displacement, j);
     }
     if (work.boundary) {
+        const double mean_mass = sum.count == 0 ? 1 : sum.mean_mass();
         work.boundary->find_around(center, work.radii.of(i), found);
-        for (const Direction& displacement : found.displacements) {
-            if (work.boundary_counts) {
-                add_scaled(displacement, mass_of(work, i), i, i, radii, work.range, sum);
-                count_for_features<Dimension>(work, displacement, mass_of(work, i), i, i, radii,
-                                              workspace);
-            }
+        for (std::size_t n = 0; n < found.size(); ++n) {
+            const Direction& displacement = found.displacements[n];
             cover(displacement, i);
+            if (work.boundary_weights.at_radius.empty())
+                continue;
+            const double weight =
+                work.boundary_share *
+                work.boundary_weights.of(found.particles[n], work.radii.of(i), Dimension);
+            if constexpr (Radii::varies) {
+                const Direction scaled = in_radii(displacement, radii.inverse_of_pair(i, i));
+                sum.add_boundary(scaled, squared_length<double, Dimension>(scaled), weight,
+                                 work.range);
+            } else {
+                sum.add_boundary(displacement, squared_length<double, Dimension>(displacement),
+                                 weight, work.range);
+            }
+            count_boundary<Dimension>(work, displacement, mean_mass, weight, i, radii, workspace);
         }
     }
-    labels.mass_offset[i] = mass_offset(sum, 1.0);
+    labels.mass_offset[i] = mass_offset(sum, Radii::varies ? 1.0 : work.radii.max);
     labels.neighbor_count[i] = sum.count;
     set_features<Dimension>(work, i, workspace, labels);
+}
+
+template <int Dimension>
+void gather(const Work& work, std::size_t place, std::size_t i, const Direction& center,
+            Workspace& workspace, Labels& labels) {
+    if (work.radii.vary())
+        gather<Dimension>(work, place, i, center, VaryingRadii<double>{work.radii.each.data()},
+                          workspace, labels);
+    else
+        gather<Dimension>(work, place, i, center, UniformRadius<double>{work.radii.max}, workspace,
+                          labels);
 }
 
 double exact_fraction(const Work& work, Workspace& workspace) {
@@ -239,10 +249,11 @@ void label_particle(const Work& work, const Snapshot& snapshot, std::size_t plac
     workspace.caps.displacements.clear();
     workspace.in_the_plane.clear();
     workspace.in_space.clear();
-    const bool plane = work.dimension == 2;
-    const auto gather = work.radii.vary() ? (plane ? gather_scaled<2> : gather_scaled<3>)
-                                          : (plane ? gather_neighbors<2> : gather_neighbors<3>);
-    gather(work, place, i, snapshot.positions[i], workspace, labels);
+    const Direction& center = snapshot.positions[i];
+    if (work.dimension == 2)
+        gather<2>(work, place, i, center, workspace, labels);
+    else
+        gather<3>(work, place, i, center, workspace, labels);
     labels.uncovered_fraction[i] = work.method == LabelMethod::exact
                                        ? exact_fraction(work, workspace)
                                        : sampled_fraction(work, i, workspace);
@@ -311,6 +322,7 @@ Labels label_particles(const Snapshot& snapshot, const SupportRadii& radii,
     labels.uncovered_fraction.assign(count, 0);
     labels.surface.assign(count, 0);
     labels.valid = work.valid;
+    labels.spacing_ratio = work.spacing_ratio;
     if (auto doubt = doubtful_positions(snapshot, radii, work.valid); !doubt.empty())
         labels.warnings.push_back(std::move(doubt));
     labels.mass_offset.assign(count, 0);
@@ -329,7 +341,8 @@ void set_label_provenance(Snapshot& snapshot, const SupportRadii& radii,
                           const LabelOptions& options) {
     auto& provenance = snapshot.provenance;
     provenance["program"] = std::string("meniscus ") + program_version;
-    for (const char* name : {"samples", "scheme", "seed", "boundary_particles", "features"})
+    for (const char* name :
+         {"samples", "scheme", "seed", "boundary_particles", "boundary_rule", "features"})
         provenance.erase(name);
     if (options.method == LabelMethod::exact) {
         provenance["method"] = "exact";
@@ -344,7 +357,9 @@ void set_label_provenance(Snapshot& snapshot, const SupportRadii& radii,
     for (const std::size_t feature : options.features)
         provenance["features"] +=
             (provenance["features"].empty() ? "" : ",") + std::string(feature_list[feature].name);
-    provenance["boundary_rule"] = boundary_rule_text(options.boundary_counts);
+    provenance["boundary_weight"] = number_text(options.boundary_weight);
+    if (!snapshot.particle_volume)
+        provenance["particle_volume"] = "measured";
     provenance["radius_ratio"] = provenance_number(options.radius_ratio);
     provenance["support_radius"] = provenance_number(radii.min);
     if (radii.vary())
@@ -369,7 +384,7 @@ void add_labels(Snapshot& snapshot, const Labels& labels, const SupportRadii& ra
     set_array(snapshot, {"surface", 1, labels.surface});
     set_array(snapshot, {"valid", 1, labels.valid});
     set_array(snapshot, {"mass_offset", 1, labels.mass_offset});
-    if (radii.vary())
+    if (radii.vary() || (options.boundary_weight > 0 && !snapshot.boundary.empty()))
         set_array(snapshot, {"neighbor_count", 1, labels.neighbor_count});
     else
         set_array(snapshot, {"neighbor_count", 1,
@@ -379,6 +394,8 @@ void add_labels(Snapshot& snapshot, const Labels& labels, const SupportRadii& ra
         if (is_other_feature(options.features[f]))
             set_array(snapshot, {feature_list[options.features[f]].name, 1, labels.features[f]});
     set_label_provenance(snapshot, radii, options);
+    if (!radii.vary() && !snapshot.particle_volume)
+        snapshot.particle_volume = std::pow(radii.max / labels.spacing_ratio, snapshot.dimension);
 }
 
 double mean_neighbor_count(const Labels& labels) {
@@ -394,8 +411,8 @@ double mean_neighbor_count(const Labels& labels) {
 
 std::array<double, 2> plausible_neighbor_counts(int dimension) {
     if (dimension == 2)
-        return {4, 35};
-    return {8, 140};
+        return {4, 75};
+    return {8, 450};
 }
 
 } // namespace meniscus

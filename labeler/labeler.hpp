@@ -4,6 +4,7 @@
 // where lambda > 0 (2020 paper, sections 3.1 and 3.2). In two dimensions spheres are circles.
 #pragma once
 
+#include <meniscus/data/particles/particle_volumes.hpp>
 #include <meniscus/data/particles/snapshot.hpp>
 #include <meniscus/data/particles/support_radii.hpp>
 #include <meniscus/runtime/coverage/exact_coverage.hpp>
@@ -27,56 +28,60 @@ struct LabelOptions {
     std::string scheme = "halton";          ///< Monte Carlo: name of a sampling scheme
     std::uint64_t seed = 0;                 ///< Monte Carlo; 0: Halton's sequence as it is
     std::vector<std::size_t> features = {}; ///< places in feature_list, beside the paper's
-    bool boundary_counts = false; ///< boundary particles are neighbors in the features too
-    bool skip_invalid = false;    ///< leave out particles whose positions cannot be worked with
-    int threads = 0;              ///< 0: all cores; the labels do not depend on it
+    /// The share of its volume by which a boundary particle counts in the features; 0: it only
+    /// covers.
+    double boundary_weight = default_boundary_weight;
+    bool skip_invalid = false; ///< leave out particles whose positions cannot be worked with
+    int threads = 0;           ///< 0: all cores; the labels do not depend on it
     /// Called now and then from the calling thread with the number of particles done.
     std::function<void(std::size_t)> progress = {};
 };
 
 /// One entry a particle, in the snapshot's order.
 struct Labels {
-    std::vector<double> uncovered_fraction;    ///< lambda; 0 where not valid
-    std::vector<std::uint8_t> surface;         ///< 1 where lambda > zero_uncovered_fraction
-    std::vector<std::uint8_t> valid;           ///< 0 where left out
-    std::vector<double> mass_offset;           ///< feature x (eq. 1)
-    std::vector<double> neighbor_count;        ///< feature y; whole where radii do not vary
+    std::vector<double> uncovered_fraction; ///< lambda; 0 where not valid
+    std::vector<std::uint8_t> surface;      ///< 1 where lambda > zero_uncovered_fraction
+    std::vector<std::uint8_t> valid;        ///< 0 where left out
+    std::vector<double> mass_offset;        ///< feature x (eq. 1)
+    std::vector<double> neighbor_count; ///< feature y; whole unless radii vary or a boundary counts
     std::vector<std::vector<double>> features; ///< of LabelOptions::features
-    std::vector<std::string> warnings;         ///< one line each, for standard error
+    double spacing_ratio = 1; ///< measured_spacing_ratio() (data/particles/particle_volumes.hpp)
+    std::vector<std::string> warnings; ///< one line each, for standard error
 };
 
 /// Labels all particles with these support radii (support_radii() has those of a snapshot, a number
 /// in m serves all). A `phase` array keeps phases apart, a `mass` array weights the features, an
 /// `id` array keys random directions. The snapshot's boundary particles cover, whatever the phase:
-/// a particle at a wall is not at the free surface. In the features they count only with
-/// boundary_counts, whatever the phase, each with the mean_mass of the fluid. Where radii vary,
-/// each pair is measured in its mean radius (runtime/neighbors/support_radius.hpp,
-/// scaled_features.hpp), and a boundary particle has radius and mass of the particle it is a
-/// neighbor of. Throws InputError where an option is out of range, where a position is not finite,
-/// or too far from the origin for its number type (checked_positions; how many, and the first
-/// index) unless skip_invalid, where a mass is not positive, or where the neighbor search refuses;
-/// likewise for the boundary.
+/// a particle at a wall is not at the free surface. With boundary_weight they count in the features
+/// too, whatever the phase, by that share of their volume (data/particles/particle_volumes.hpp).
+/// Where radii vary, each pair is measured in its mean radius
+/// (runtime/neighbors/support_radius.hpp, scaled_features.hpp), and a boundary particle has the
+/// radius of the particle it is a neighbor of. Throws InputError where an option is out of range,
+/// where a position is not finite, or too far from the origin for its number type
+/// (checked_positions; how many, and the first index) unless skip_invalid, where a mass is not
+/// positive, or where the neighbor search refuses; likewise for the boundary.
 Labels label_particles(const Snapshot& snapshot, const SupportRadii& radii,
                        const LabelOptions& options);
 
 /// Adds the labels as point data (uncovered_fraction, surface, valid, mass_offset, neighbor_count,
-/// other features by their names), the radii as the snapshot's own, and set_label_provenance. What
+/// other features by their names), the radii as the snapshot's own, the volume of a particle where
+/// it had to be measured, and set_label_provenance. What
 /// an earlier labelling stored of features that are not asked for now is gone.
 void add_labels(Snapshot& snapshot, const Labels& labels, const SupportRadii& radii,
                 const LabelOptions& options);
 
 /// Says in the provenance how the labels are made with these options: program, method, with Monte
 /// Carlo samples, scheme and seed, radius_ratio, support_radius (smallest to largest where they
-/// vary), neighbor_band, label_bound, skip_invalid, boundary_rule
-/// (data/particles/boundary_rule.hpp), boundary_particles where there are some, and features where
-/// others than the paper's are stored. What an earlier labelling said is gone.
+/// vary), neighbor_band, label_bound, skip_invalid, boundary_weight, particle_volume where it is
+/// measured, boundary_particles where there are some, and features where others than the paper's
+/// are stored. What an earlier labelling said is gone.
 void set_label_provenance(Snapshot& snapshot, const SupportRadii& radii,
                           const LabelOptions& options);
 
 /// Mean neighbor count over valid particles; 0 where there are none.
 double mean_neighbor_count(const Labels& labels);
 
-/// The mean neighbor counts that a sensible support radius gives: support radii from 1.5 to 3.2
+/// The mean neighbor counts that a sensible support radius gives: support radii from 1.5 to 4.7
 /// particle spacings, a surface layer included. {lowest, highest}
 std::array<double, 2> plausible_neighbor_counts(int dimension);
 

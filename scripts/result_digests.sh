@@ -23,7 +23,7 @@ label() {
     "$meniscus" label data/samples/*.vtkhdf -o "$work/$1" --threads 1 --quiet "${@:2}"
     values "labels, $1" "$work/$1"/*.vtkhdf
 }
-label exact
+label exact --features direction_eigenvalue
 for scheme in halton blue-noise table; do
     label "$scheme" --scheme "$scheme" --samples 256
 done
@@ -35,7 +35,7 @@ train() {
 }
 train threshold_2_percent --label-threshold 0.02
 train strict --label-threshold 0
-train relative --label-threshold 0.02 --relative-count
+train two_lines --label-threshold 0.02 --second-features mass_offset,direction_eigenvalue
 train logistic --label-threshold 0.02 --objective logistic
 
 for model in surface_3d surface_3d_strict threshold_2_percent; do

@@ -8,8 +8,8 @@ cd "$(dirname "$0")/.."
 meniscus=${1:-build/release/bin/meniscus}
 labelled=$(mktemp -d)
 trap 'rm -r "$labelled"' EXIT
-"$meniscus" label data/samples/*.vtkhdf -o "$labelled/samples" --quiet
-for kind in training_3d wide_training_3d training_2d wide_training_2d; do
+"$meniscus" label data/samples/*.vtkhdf -o "$labelled/samples" --features direction_eigenvalue --quiet
+for kind in {,wide_,widest_}training_{3d,2d}; do
     scripts/make_states.sh "$kind" "$labelled/$kind" "$meniscus"
 done
 
@@ -21,21 +21,20 @@ fit() {
     done
     "$meniscus" train "${files[@]}" -o "configs/models/$2.json" "${@:3}"
 }
-# ship STATES MODEL STRUCT [OPTIONS OF TRAIN]: the same with its header
+# ship STATES MODEL STRUCT [OPTIONS OF TRAIN]: the same with a second line and its header
 ship() {
-    fit "$1" "$2" "${@:4}"
+    fit "$1" "$2" --second-features mass_offset,direction_eigenvalue "${@:4}"
     "$meniscus" export "configs/models/$2.json" -o "runtime/coefficients/$2.hpp" --name "$3" --quiet
 }
+# One for each range of support radius over particle spacing (runtime/surface/shipped_classifier.hpp).
 ship "samples training_3d" surface_3d Surface3D --label-threshold 0.02
-ship "samples training_3d" surface_3d_strict Surface3DStrict \
-    --label-threshold 0
-ship samples surface_3d_relative Surface3DRelative \
-    --label-threshold 0.02 --relative-count
-ship wide_training_3d surface_3d_wide Surface3DWide \
-    --label-threshold 0.02
+ship wide_training_3d surface_3d_wide Surface3DWide --label-threshold 0.02
+ship widest_training_3d surface_3d_widest Surface3DWidest --label-threshold 0.02
 ship training_2d surface_2d Surface2D --label-threshold 0
-ship wide_training_2d surface_2d_wide Surface2DWide \
-    --label-threshold 0
+ship wide_training_2d surface_2d_wide Surface2DWide --label-threshold 0
+ship widest_training_2d surface_2d_widest Surface2DWidest --label-threshold 0
+# And one that misses nothing at all.
+ship "samples training_3d" surface_3d_strict Surface3DStrict --label-threshold 0
 
 # The other objectives, for comparison (meniscus bench); they need libtorch.
 for objective in logistic network; do

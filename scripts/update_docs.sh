@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Prints the tables of README and docs/ again from the samples, between their "begin" and "end"
 # comments, and draws the plots. Takes some minutes, curvature half an hour; speed,
-# speed-against-error, surface-speed and step-speed want an otherwise idle machine, sampling and
-# normals Debian's python3-matplotlib.
+# speed-against-error, surface-speed and step-speed want an otherwise idle machine, accuracy,
+# sampling and normals Debian's python3-matplotlib, accuracy python3-h5py, too.
 # Usage: scripts/update_docs.sh [TABLES]   (default: all)
 # TABLES: accuracy, own-scenes (runs scenes for some ten minutes), speed, sampling, force,
 # surface-speed, normals, curvature, scenes, simulation, step-speed, hard-cases, hard-cases-solvers or
@@ -10,6 +10,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 bin=build/release/bin
+cmake --build build/release --target meniscus meniscus_bench meniscus_bench_native
 work=$(mktemp -d)
 trap 'rm -r "$work"' EXIT
 
@@ -35,24 +36,28 @@ print() {
 
 samples=data/samples
 if wanted accuracy || wanted own-scenes || wanted speed; then
-    "$bin/meniscus" label $samples/*.vtkhdf -o "$work/samples" --quiet
+    "$bin/meniscus" label $samples/*.vtkhdf -o "$work/samples" --features direction_eigenvalue --quiet
 fi
 if wanted accuracy; then
     for table in training unseen published sweep own-line; do
         print $table accuracy "" "$work"/samples/*.vtkhdf
     done
+    scripts/plot_feature_planes.py configs/models/surface_3d.json docs/plots \
+        "$work"/samples/dam_dfsph_{01,04,14}.vtkhdf
 fi
 if wanted own-scenes; then
-    for kind in training_3d audit_{3d,2d,wide_3d,wide_2d}; do
+    for kind in training_3d audit_{,wide_,widest_}{3d,2d}; do
         scripts/make_states.sh "$kind" "$work/$kind"
     done
     print sources accuracy "" "$work"/{samples,training_3d,audit_3d}
     "$bin/meniscus_bench" readme "$work"/{samples,training_3d} | replace README.md readme
     models=configs/models/surface
-    print lines accuracy own-3d ${models}_3d{,_strict,_relative}.json "$work"/audit_3d/*.vtkhdf
-    print lines accuracy own-wide-3d ${models}_3d{,_wide}.json "$work"/audit_wide_3d/*.vtkhdf
-    print lines accuracy own-2d ${models}_{3d,2d}.json "$work"/audit_2d/*.vtkhdf
-    print lines accuracy own-wide-2d ${models}_2d{,_wide}.json "$work"/audit_wide_2d/*.vtkhdf
+    print lines accuracy own-3d ${models}_3d{,_strict}.json "$work"/audit_3d/*.vtkhdf
+    print lines accuracy own-wide-3d ${models}_3d_wide.json "$work"/audit_wide_3d/*.vtkhdf
+    print lines accuracy own-widest-3d ${models}_3d_widest.json "$work"/audit_widest_3d/*.vtkhdf
+    print lines accuracy own-2d ${models}_2d.json "$work"/audit_2d/*.vtkhdf
+    print lines accuracy own-wide-2d ${models}_2d_wide.json "$work"/audit_wide_2d/*.vtkhdf
+    print lines accuracy own-widest-2d ${models}_2d_widest.json "$work"/audit_widest_2d/*.vtkhdf
 fi
 if wanted speed; then
     print speed speed "" $samples/dam_dfsph_14.vtkhdf

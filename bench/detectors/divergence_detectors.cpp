@@ -1,17 +1,29 @@
 // The divergence of position (Lee et al. 2008), -sum_j V_j W'(r_ij) r_ij: the dimension inside a
 // fluid, less where neighbors are missing. A particle is surface where it stays below a threshold:
-//  - SPHinXsys (FreeSurfaceIndication): three quarters of the dimension. It then adds what lies
-//    within a smoothing length (half the support radius of its kernel) of such a particle; here
-//    that is a detector of its own. Left out is its SpatialTemporal variant, which keeps particles
-//    that were neither at the surface nor beside it in the step before from becoming surface: a
-//    state has no step before.
-//  - DualSPHysics (ShiftTFS of its shifting): 2.75 in space, 1.5 in the plane, as its guide
-//  advises.
-// Both usually run with wider supports than two spacings and with other kernels than the cubic
+//  - DualSPHysics' older shifting (ShiftTFS in JSphShifting): 2.75 in space, 1.5 in the plane, as
+//    its guide advises; the latter is Lee et al.'s.
+//  - SPHinXsys (FreeSurfaceIndication in surface_indication.cpp): three quarters of the dimension,
+//    and whatever lies within a smoothing length (half the support radius of its kernel) of such a
+//    particle. Its SpatialTemporal variant says the same here: it keeps a particle below the
+//    threshold from becoming surface if in the step before neither it nor a neighbor was, but
+//    a state has no step before, and with the state itself for that, as in a fluid at rest, all
+//    below the threshold were surface then.
+//  - DualSPHysics' advanced shifting (JSphCpu_preloop.cpp): of those below 2.75, in the plane 1.7,
+//    the ones that have no neighbor in the umbrella of Marrone et al. along the renormalized
+//    gradient of the constant 1. Isolated particles are surface without a look at the umbrella.
+//
+// Where the last departs from what its authors run:
+//  - An isolated particle has a divergence below 1.8 (in the plane 1.1) and less than 0.4 of the
+//    neighbors of a full support. The program divides the other way round, and in space has the
+//    support radius to the fourth power, so that what it finds depends on the unit of length.
+//  - It looks at particles that in the step before were at the surface or beside it; in its first
+//    step it looks at all, as here.
+// All usually run with wider supports than two spacings and with other kernels than the cubic
 // spline, and count boundary particles, which states do not have.
+#include "cones.hpp"
 #include "detector.hpp"
-#include "renormalization.hpp"
 
+#include <meniscus/runtime/math/angles.hpp>
 #include <meniscus/runtime/neighbors/parallel_loop.hpp>
 
 #include <memory>
@@ -77,23 +89,81 @@ Detection detect_two_layers(const FluidState<Real>& state, int threads, double t
     };
 }
 
+/// DualSPHysics' umbrella in the plane. Up to sqrt(2) lengths Marrone et al. have the distances
+/// along the normal and across it, where the program multiplies axis by axis. For a normal along an
+/// axis it is the same cone; for one between them, a disc.
+template <class Real>
+struct AxiswiseUmbrella {
+    Real length; ///< smoothing length in m
+
+    bool operator()(const Vector<Real, 2>& step, const Vector<Real, 2>& normal) const {
+        const Vector<Real, 2> off = step - length * normal;
+        if (step.squaredNorm() > 2 * length * length)
+            return off.squaredNorm() < length * length;
+        const Vector<Real, 2> across(normal[1], normal[0]);
+        return off.cwiseProduct(normal).norm() + off.cwiseProduct(across).norm() < length;
+    }
+};
+
+/// Whether particle i has less than 0.4 of the neighbors of a full support.
+template <class Real, int Dimension>
+bool has_few_neighbors(const FluidState<Real>& state, std::size_t i) {
+    const double h = static_cast<double>(state.support_radius);
+    const double support = Dimension == 3 ? 4 * pi / 3 * h * h * h : pi * h * h;
+    const std::size_t count = state.lists.offsets[i + 1] - state.lists.offsets[i];
+    return static_cast<double>(count) * static_cast<double>(state.particle_volume) < 0.4 * support;
+}
+
+template <class Real, int Dimension>
+bool has_empty_umbrella(const GradientSums<Real, Dimension>& sums, std::size_t i) {
+    using Cone = std::conditional_t<Dimension == 3, Umbrella<Real>, AxiswiseUmbrella<Real>>;
+    const auto around =
+        renormalization(sums, i, [](const auto&) { return all_lanes<Pack<Real>>(Real(1)); });
+    return !is_covered<Real, Dimension>(sums.state, i, around.matrix.inverse() * -around.gradient,
+                                        Cone{sums.state.support_radius / 2});
+}
+
+template <class Real, int Dimension>
+Detection detect_by_divergence_and_umbrella(const FluidState<Real>& state, int threads) {
+    constexpr auto threshold = static_cast<Real>(Dimension == 3 ? 2.75 : 1.7);
+    constexpr auto isolated = static_cast<Real>(Dimension == 3 ? 1.8 : 1.1);
+    return [&state, threads](std::vector<std::uint8_t>& surface) {
+        const OpenMpLoop loop{threads};
+        surface.resize(state.size());
+        const GradientSums<Real, Dimension> sums{state};
+        // The matrix is for the few below the threshold.
+        const auto is_surface = [&](std::size_t i) {
+            const Real divergence = position_divergence(sums, i);
+            if (!(divergence < threshold))
+                return false;
+            return (divergence < isolated && has_few_neighbors<Real, Dimension>(state, i)) ||
+                   has_empty_umbrella(sums, i);
+        };
+        loop(state.size(), [&](std::size_t begin, std::size_t end, int) {
+            for (std::size_t i = begin; i < end; ++i)
+                surface[i] = static_cast<std::uint8_t>(is_surface(i));
+        });
+    };
+}
+
 template <class Real, int Dimension>
 void add(std::vector<Detector<Real>>& all) {
-    constexpr double three_quarters = 0.75 * Dimension;
-    constexpr double shifting = Dimension == 3 ? 2.75 : 1.5;
-    all.push_back({"divergence below 0.75 D", "divergence", "SPHinXsys, without its second layer",
+    constexpr bool in_space = Dimension == 3;
+    all.push_back({"divergence below 0.75 D, second layer", "divergence", "SPHinXsys, at rest",
                    [](const FluidState<Real>& state, int threads) {
-                       return detect_by_divergence<Real, Dimension>(state, threads, three_quarters);
+                       return detect_two_layers<Real, Dimension>(state, threads, 0.75 * Dimension);
                    }});
-    all.push_back({"divergence below 0.75 D, second layer", "divergence", "SPHinXsys",
+    all.push_back({in_space ? "divergence below 2.75" : "divergence below 1.5", "divergence",
+                   in_space ? "DualSPHysics, older shifting"
+                            : "Lee et al. 2008, DualSPHysics, older shifting",
                    [](const FluidState<Real>& state, int threads) {
-                       return detect_two_layers<Real, Dimension>(state, threads, three_quarters);
+                       return detect_by_divergence<Real, Dimension>(state, threads,
+                                                                    in_space ? 2.75 : 1.5);
                    }});
-    if (shifting != three_quarters)
-        all.push_back({"divergence below 2.75", "divergence", "DualSPHysics",
-                       [](const FluidState<Real>& state, int threads) {
-                           return detect_by_divergence<Real, Dimension>(state, threads, shifting);
-                       }});
+    all.push_back(
+        {in_space ? "divergence below 2.75, then cone" : "divergence below 1.7, then cone",
+         "divergence", "DualSPHysics, advanced shifting",
+         detect_by_divergence_and_umbrella<Real, Dimension>});
 }
 
 } // namespace

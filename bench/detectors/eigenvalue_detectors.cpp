@@ -5,17 +5,15 @@
 // ball.
 //
 // Where the paper leaves room:
-//  - Its lengths are in smoothing lengths. Here one is half the support radius, as for the kernels
-//    that solvers use most (cubic spline, Wendland), and as in programs derived from DualSPHysics,
-//    which have the same test. The umbrella then reaches exactly as far as the neighbor lists.
+//  - Its lengths are in smoothing lengths. Here one is half the support radius (cones.hpp).
 //  - In the plane the paper writes the cone by the distances along the normal and across; within
 //    sqrt(2) smoothing lengths both say the same, so one formula serves for both dimensions.
 //  - The normal is the renormalized gradient of the eigenvalue, which falls towards the surface. A
-//    second detector takes that of the constant 1, as those programs do, which spares a pass.
+//    second detector takes that of the constant 1, as DualSPHysics does, which spares a pass.
 //  - The normal may vanish (a film of one layer). The particle is then surface: it cannot be shown
 //    to be covered.
+#include "cones.hpp"
 #include "detector.hpp"
-#include "renormalization.hpp"
 
 #include <meniscus/runtime/neighbors/parallel_loop.hpp>
 
@@ -64,33 +62,6 @@ Detection detect_by_eigenvalue(const FluidState<Real>& state, int threads) {
     };
 }
 
-/// Whether a neighbor of particle i lies in the umbrella that opens along `outward`.
-template <class Real, int Dimension>
-bool is_covered(const FluidState<Real>& state, std::size_t i,
-                const Vector<Real, Dimension>& outward) {
-    const Real norm = outward.norm();
-    if (!(norm > 0))
-        return false;
-    const Vector<Real, Dimension> normal = outward / norm;
-    const Real length = state.support_radius / 2;
-    using Place = Eigen::Map<const Vector<Real, Dimension>>;
-    const Place own(state.positions.data() + Dimension * i);
-    for (std::size_t n = state.lists.offsets[i]; n < state.lists.offsets[i + 1]; ++n) {
-        const std::size_t j = state.lists.neighbors[n];
-        const Vector<Real, Dimension> step = Place(state.positions.data() + Dimension * j) - own;
-        const Real squared = step.squaredNorm();
-        const Real height = step.dot(normal);
-        if (height <= 0)
-            continue;
-        // In the cone, or beyond it in the ball around the point one length in front:
-        // |step - length normal| < length.
-        if (squared < 2 * length * length ? 2 * height * height > squared
-                                          : squared < 2 * length * height)
-            return true;
-    }
-    return false;
-}
-
 /// Both steps in one pass, with the normal from the gradient of the constant 1.
 template <class Real, int Dimension>
 Detection detect_by_umbrella(const FluidState<Real>& state, int threads) {
@@ -105,8 +76,8 @@ Detection detect_by_umbrella(const FluidState<Real>& state, int threads) {
                 return false;
             if (!all_eigenvalues_above(static_cast<Real>(certain_surface), around.matrix))
                 return true;
-            return !is_covered<Real, Dimension>(state, i,
-                                                around.matrix.inverse() * -around.gradient);
+            return !is_covered<Real, Dimension>(
+                state, i, around.matrix.inverse() * -around.gradient, umbrella(state));
         };
         loop(state.size(), [&](std::size_t begin, std::size_t end, int) {
             for (std::size_t i = begin; i < end; ++i)
@@ -137,8 +108,8 @@ Detection detect_by_eigenvalue_gradient(const FluidState<Real>& state, int threa
             const auto around = renormalization(sums, i, [&](const auto& pairs) {
                 return gather<Pack<Real>>(lambda, pairs.index) - lambda[i];
             });
-            return !is_covered<Real, Dimension>(state, i,
-                                                around.matrix.inverse() * -around.gradient);
+            return !is_covered<Real, Dimension>(
+                state, i, around.matrix.inverse() * -around.gradient, umbrella(state));
         };
         loop(state.size(), [&](std::size_t begin, std::size_t end, int) {
             for (std::size_t i = begin; i < end; ++i)

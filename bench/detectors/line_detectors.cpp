@@ -20,9 +20,8 @@ constexpr const char* ours = "this project";
 constexpr const char* published = "Zorilla et al. 2020, SPlisHSPlasH 2.16";
 
 constexpr NamedModel models_3d[] = {
-    {"line, neyman-pearson", "surface_3d", "line", ours},
-    {"line, neyman-pearson, strict", "surface_3d_strict", "line", ours},
-    {"line, neyman-pearson, relative", "surface_3d_relative", "line", ours},
+    {"two lines", "surface_3d", "line", ours},
+    {"two lines, strict", "surface_3d_strict", "line", ours},
     {"line, logistic", "surface_3d_logistic", "line", ours},
     {"line, network", "surface_3d_network", "line", ours},
     {"line, logistic, not shifted", "plain_logistic_3d", "line", ours},
@@ -31,39 +30,11 @@ constexpr NamedModel models_3d[] = {
     {"published line, d = 28", "splishsplash_d28", "published line", published},
     {"published line, d = 35", "splishsplash_d35", "published line", published},
 };
-constexpr NamedModel models_2d[] = {{"line, neyman-pearson", "surface_2d", "line", ours}};
+constexpr NamedModel models_2d[] = {{"two lines", "surface_2d", "line", ours}};
 
-/// The line for a state: a relative one follows its median, as a host has it from its last step.
+/// What the stages of the runtime work with.
 template <class Real, int Dimension>
-SurfaceLine<Real> line_for(const Model& model, const FluidState<Real>& state) {
-    if (model.reference_neighbor_count == 0)
-        return {static_cast<Real>(model.line.k), static_cast<Real>(model.line.d)};
-    const auto view = state.template view<Dimension>();
-    const auto range = neighbor_range<Real>(state.support_radius, model.radius_ratio);
-    std::vector<int> counts(state.size());
-    for (std::size_t i = 0; i < state.size(); ++i)
-        counts[i] = sum_features<Real, Dimension>(view, i, range).count;
-    return scaled_line<Real>(model.line.k, model.line.d,
-                             median_neighbor_count(counts.data(), counts.size()),
-                             model.reference_neighbor_count);
-}
-
-template <class Real, int Dimension>
-Detection line_detection(const Model& model, const FluidState<Real>& state, int threads) {
-    const auto line = line_for<Real, Dimension>(model, state);
-    const auto range = neighbor_range<Real>(state.support_radius, model.radius_ratio);
-    return [&state, line, range, threads](std::vector<std::uint8_t>& surface) {
-        surface.resize(state.size());
-        over_particles(state.size(), threads, [&](std::size_t begin, std::size_t end, int) {
-            classify<Real, Dimension>(state.template view<Dimension>(), begin, end,
-                                      state.support_radius, line, range, surface.data());
-        });
-    };
-}
-
-/// What the second stage of the runtime works with.
-template <class Real, int Dimension>
-struct Verified {
+struct Stages {
     SurfaceParticles<Real, Dimension> list;
     SampleDirections directions;
     HeldCells cells;
@@ -71,20 +42,41 @@ struct Verified {
 };
 
 template <class Real, int Dimension>
+Detection line_detection(const Model& model, const FluidState<Real>& state, int threads) {
+    auto shared = std::make_shared<Stages<Real, Dimension>>();
+    shared->memory.resize(static_cast<std::size_t>(threads));
+    SurfaceTensionOptions options;
+    options.spacing_ratio = static_cast<double>(state.support_radius) / state.spacing;
+    set_classifier(options, model);
+    return [&state, shared, options, threads](std::vector<std::uint8_t>& surface) {
+        auto& list = shared->list;
+        with_loop(threads, [&](const auto& loop) {
+            find_candidates<Real, Dimension>(state.template view<Dimension>(), NoBoundary{},
+                                             state.size(),
+                                             UniformRadius<Real>{state.support_radius}, options,
+                                             loop, shared->memory.data(), list);
+        });
+        surface.assign(state.size(), 0);
+        for (const std::uint32_t i : list.particle)
+            surface[i] = 1;
+    };
+}
+
+template <class Real, int Dimension>
 Detection verified_detection(const FluidState<Real>& state, int threads,
-                             const SurfaceTensionOptions& options, std::size_t samples) {
-    auto shared = std::make_shared<Verified<Real, Dimension>>();
+                             SurfaceTensionOptions options, std::size_t samples) {
+    auto shared = std::make_shared<Stages<Real, Dimension>>();
     fill_outward_directions<Dimension>(samples, 0, shared->directions);
     shared->memory.resize(static_cast<std::size_t>(threads));
-    const auto shipped = shipped_surface_line(Dimension);
-    const SurfaceLine<Real> line{static_cast<Real>(shipped.k), static_cast<Real>(shipped.d)};
-    return [&state, shared, line, options, threads](std::vector<std::uint8_t>& surface) {
+    options.spacing_ratio = static_cast<double>(state.support_radius) / state.spacing;
+    set_shipped_classifier(options, Dimension);
+    return [&state, shared, options, threads](std::vector<std::uint8_t>& surface) {
         const auto view = state.template view<Dimension>();
         const UniformRadius<Real> radii{state.support_radius};
         auto& list = shared->list;
         with_loop(threads, [&](const auto& loop) {
-            find_candidates<Real, Dimension>(view, state.size(), radii, line, options.radius_ratio,
-                                             loop, list);
+            find_candidates<Real, Dimension>(view, NoBoundary{}, state.size(), radii, options, loop,
+                                             shared->memory.data(), list);
             find_exposure<Real, Dimension>(view, NoBoundary{}, radii, nullptr, shared->directions,
                                            shared->cells, options, loop, shared->memory.data(),
                                            list);
@@ -101,7 +93,6 @@ void add_lines(const std::vector<NamedModel>& named, const std::filesystem::path
                std::vector<Detector<Real>>& all) {
     for (const NamedModel& one : named) {
         const Model model = read_model(folder / (std::string(one.file) + ".json"));
-        check_features_of_paper(model, "a detector");
         all.push_back(
             {one.name, one.group, one.source, [model](const FluidState<Real>& state, int threads) {
                  return line_detection<Real, Dimension>(model, state, threads);

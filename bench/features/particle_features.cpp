@@ -2,18 +2,11 @@
 
 #include "detectors/neighbor_packs.hpp"
 
+#include <meniscus/runtime/features/second_line.hpp>
+
 #include <utility>
 
 namespace meniscus {
-inline namespace MENISCUS_INSTRUCTION_SET {
-
-template <>
-struct SquareRoot<Pack<float>> {
-    static Pack<float> of(const Pack<float>& a) { return square_root(a); }
-};
-
-} // namespace MENISCUS_INSTRUCTION_SET
-
 namespace {
 
 /// Neighbors as features take them; lanes that do not count lie at h and weigh nothing.

@@ -7,6 +7,7 @@
 
 #include <meniscus/labeler/labeler.hpp>
 #include <meniscus/labeler/monte_carlo/coverage.hpp>
+#include <meniscus/runtime/surface/surface_tension.hpp>
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -82,8 +83,26 @@ void gather_and_add(Host<Real>& host) {
 
 template <class Real, class View>
 void classify_lists(Host<Real>& host, const View& view) {
-    classify<Surface3D, Real, 3>(view, 0, host.fluid.size(), host.fluid.support_radius,
-                                 host.surface.data());
+    constexpr auto line = surface_line<Surface3D, Real>(2);
+    const auto range = neighbor_range<Real>(host.fluid.support_radius, Surface3D::radius_ratio);
+    classify<Real, 3>(view, 0, host.fluid.size(), host.fluid.support_radius, line, range,
+                      host.surface.data());
+}
+
+/// Both lines, as the surface-tension step applies them.
+template <class Real>
+std::function<void()> two_lines(Host<Real>& host) {
+    struct Stage {
+        SurfaceTensionOptions options = completed({}, 3);
+        ExposureMemory memory;
+        SurfaceParticles<Real, 3> list;
+    };
+    const auto stage = std::make_shared<Stage>();
+    return [&host, stage] {
+        find_candidates<Real, 3>(host.view(true), NoBoundary{}, host.fluid.size(),
+                                 UniformRadius<Real>{host.fluid.support_radius}, stage->options,
+                                 SerialLoop{}, &stage->memory, stage->list);
+    };
 }
 
 template <class Real, Fused fused>
@@ -100,6 +119,7 @@ void add_loops(const std::string& type, Host<Real>& host, std::vector<Timed>& al
     };
     add("gather_and_add", [&] { gather_and_add(host); });
     add("classify", [&] { classify_lists(host, host.view(true)); });
+    add("classify_two_lines", two_lines(host));
     add("classify_masses", [&] { classify_lists(host, host.view(false)); });
     add("classify_exact_lists",
         [&] { classify_lists(host, ExactCsrNeighborhood<Real, 3>{host.view(true)}); });

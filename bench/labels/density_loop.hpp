@@ -22,7 +22,7 @@ void density_loop(const Real* positions, const Real* masses, const NeighborLists
     const Real inverse = 1 / support_radius;
     const Real scale = static_cast<Real>(cubic_spline_scale<3>) * inverse * inverse * inverse;
     const auto range = neighbor_range<Real>(support_radius, Surface3D::radius_ratio);
-    const auto line = surface_line<Surface3D, Real>();
+    const auto line = surface_line<Surface3D, Real>(2);
     for (std::size_t i = 0; i < count; ++i) {
         Real density = scale * masses[i];
         FeatureSum<Real, 3> sum;

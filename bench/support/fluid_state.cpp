@@ -71,7 +71,7 @@ FluidState<Real> fluid_state(const Snapshot& snapshot, const std::string& name) 
     state.dimension = snapshot.dimension;
     state.lists = find_neighbors(snapshot.positions, h);
     state.support_radius = static_cast<Real>(h);
-    state.spacing = snapshot.particle_spacing.value_or(h / 2);
+    state.spacing = h / labels.spacing_ratio;
     state.particle_volume = static_cast<Real>(median_volume(snapshot, state.lists, h));
     state.uncovered_fraction = labels.uncovered_fraction;
     state.surface = labels.surface;

@@ -23,7 +23,7 @@ struct FluidState {
     std::vector<Real> positions; ///< m; `dimension` values a particle
     NeighborLists lists;         ///< of particles closer than the support radius
     Real support_radius = 0;     ///< h in m
-    double spacing = 0;          ///< the one that the snapshot stores, else h / 2; m
+    double spacing = 0;          ///< of particles at rest, m (data/particles/particle_volumes.hpp)
     /// What a host knows as mass over density, m^dimension: 1 over the median of the sums
     /// sum_j W(x_ij), i itself among them, W the cubic spline of radius h.
     Real particle_volume = 0;

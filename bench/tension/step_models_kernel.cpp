@@ -48,7 +48,7 @@ private:
         const StepUnits& units = step.fluid.units;
         if (!kind.is_exact)
             return make_tension_model<float, 3>(kind.options, units, spacing);
-        auto settings = tension_settings<3>(kind.options, units, spacing);
+        auto settings = tension_settings(kind.options, units, spacing);
         settings.coverage = CoverageMethod::exact;
         return std::make_unique<MonteCarloTension<float, 3>>(kind.options, settings);
     }

@@ -54,8 +54,8 @@ struct Stages {
 
     template <class Loop>
     void candidates(const Loop& loop) {
-        find_candidates<float, 3>(fluid.view(), fluid.size(), fluid.radii(),
-                                  surface_line<Surface3D, float>(), 0.8, loop, list);
+        find_candidates<float, 3>(fluid.view(), NoBoundary{}, fluid.size(), fluid.radii(), options,
+                                  loop, memory.data(), list);
     }
     template <class Loop>
     void exposure(const SurfaceTensionOptions& how, const Loop& loop) {
@@ -103,7 +103,7 @@ void add_stages(Stages& stages, const Loop& loop, Works& works) {
 }
 
 void add_references(const Fluid& fluid, Stages& stages, ExactCoverage& exact, Works& works) {
-    const auto line = surface_line<Surface3D, float>();
+    const auto line = surface_line<Surface3D, float>(2);
     works.add("classify_reference", [&fluid, line] {
         const float h = fluid.state.support_radius;
         const auto range = neighbor_range<float>(h, 0.8);

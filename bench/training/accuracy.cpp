@@ -9,6 +9,7 @@
 #include <meniscus/classifier/objectives/trainer.hpp>
 #include <meniscus/classifier/torch/torch_plugin.hpp>
 #include <meniscus/data/formats/snapshot_files.hpp>
+#include <meniscus/data/particles/feature_names.hpp>
 #include <meniscus/data/text/errors.hpp>
 
 #include <algorithm>
@@ -24,16 +25,15 @@ using States = std::vector<LabelledState>;
 
 constexpr double thresholds[] = {0, 0.005, 0.02};
 constexpr double shipped_threshold = 0.02;
-constexpr const char* relative_objective = "neyman-pearson, relative counts";
+constexpr const char* two_lines = "neyman-pearson, two lines";
 
-States relative(States states) {
-    for (LabelledState& state : states)
-        make_relative(state);
-    return states;
+/// Of the second line that ships.
+FeaturePair second_features() {
+    return feature_pair({"mass_offset", "direction_eigenvalue"});
 }
 
 /// Of files and of the files in folders.
-States read_states(const std::vector<Path>& paths) {
+States read_states(const std::vector<Path>& paths, const FeaturePair& features = {}) {
     States states;
     for (const Path& path : paths) {
         std::vector<Path> files = {path};
@@ -42,7 +42,7 @@ States read_states(const std::vector<Path>& paths) {
             std::sort(files.begin(), files.end());
         }
         for (const Path& file : files)
-            states.push_back(read_labelled_state(file, ""));
+            states.push_back(read_labelled_state(file, "", features));
     }
     return states;
 }
@@ -65,7 +65,7 @@ double percent(std::size_t part, std::size_t whole) {
 }
 
 std::vector<std::string> compared_objectives() {
-    std::vector<std::string> names = {relative_objective, "neyman-pearson"};
+    std::vector<std::string> names = {two_lines, "neyman-pearson"};
     if (has_torch_trainer())
         names.insert(names.end(), {"logistic", "network"});
     return names;
@@ -74,10 +74,15 @@ std::vector<std::string> compared_objectives() {
 Model train_with(const States& states, const std::string& objective, double threshold) {
     TrainingOptions options;
     options.label_threshold = threshold;
-    if (objective == relative_objective)
-        return train(relative(states), options);
     options.objective = objective;
     return train(states, options);
+}
+
+/// The same with a second line.
+Model train_two_lines(const States& first, const States& second, double threshold) {
+    Model model = train_with(first, "neyman-pearson", threshold);
+    add_second_line(model, first, second);
+    return model;
 }
 
 Line exact_line(const States& states, double threshold) {
@@ -90,6 +95,7 @@ Line exact_line(const States& states, double threshold) {
 struct File {
     Snapshot snapshot;
     LabelledState state;
+    LabelledState second; ///< with second_features()
 };
 
 std::vector<File> read_files(const TableInput& input) {
@@ -98,6 +104,7 @@ std::vector<File> read_files(const TableInput& input) {
         files.emplace_back();
         files.back().snapshot = read_snapshot(file);
         files.back().state = labelled_state(files.back().snapshot, file);
+        files.back().second = labelled_state(files.back().snapshot, file, second_features());
     }
     return files;
 }
@@ -107,6 +114,15 @@ States states_of(const std::vector<File>& files) {
     for (const File& file : files)
         states.push_back(file.state);
     return states;
+}
+
+Model train_with(const std::vector<File>& files, const std::string& objective, double threshold) {
+    if (objective != two_lines)
+        return train_with(states_of(files), objective, threshold);
+    States second;
+    for (const File& file : files)
+        second.push_back(file.second);
+    return train_two_lines(states_of(files), second, threshold);
 }
 
 /// The audit of one scene; of all where it is empty.
@@ -136,7 +152,7 @@ Tables training(const TableInput& input) {
     const auto files = read_files(input);
     for (const double threshold : thresholds)
         for (const std::string& objective : compared_objectives()) {
-            const Model model = train_with(states_of(files), objective, threshold);
+            const Model model = train_with(files, objective, threshold);
             const AuditRow row = audit_scene(files, model, threshold, "");
             const auto both = [](std::size_t in_double, std::size_t in_float) {
                 return Figures{static_cast<double>(in_double), static_cast<double>(in_float)};
@@ -271,7 +287,7 @@ SceneErrors sum_of(const std::vector<SceneErrors>& scenes) {
     return sum;
 }
 
-Cell cell(const SceneErrors& errors) {
+Cell cell(const ErrorCounts& errors) {
     return fmt::format("{} of {}, {:.2f} %", errors.false_negatives, errors.surface_particles,
                        percent(errors.false_positives, errors.particles));
 }
@@ -304,16 +320,13 @@ void add_sources(const Sources& groups, double threshold, const char* counts, Ta
 /// From three folders.
 Tables sources(const TableInput& input) {
     Sources groups;
-    Sources scaled;
     for (std::size_t g = 0; g < groups.size(); ++g) {
         groups[g] = read_states({input.files.at(g)});
-        scaled[g] = relative(groups[g]);
     }
     Table table = table_of("sources", "label threshold | trained on | k {:.1f} | d {:.2f} | "
                                       "samples | own states | own, papers' sizes");
     add_sources(groups, 0.02, "", table);
     add_sources(groups, 0, "", table);
-    add_sources(scaled, 0.02, ", relative counts", table);
     return {table};
 }
 
@@ -329,39 +342,58 @@ Tables lines(const TableInput& input) {
         columns += " | " + file->stem().string() + " | candidates for each surface particle {:.1f}";
     }
     Table table = table_of("lines", columns);
-    const States states = read_states({first_state, input.files.end()});
-    for (const std::string& run : group_by_scene(states).names) {
-        const States plain = of_scene(states, run);
-        std::vector<Cell> row = {run, 0};
-        for (const Model& model : models) {
-            const States counted = model.reference_neighbor_count > 0 ? relative(plain) : plain;
-            const SceneErrors sum =
-                sum_of(count_errors(counted, model.line, model.label_threshold));
+    const std::vector<Path> states(first_state, input.files.end());
+    std::vector<std::vector<AuditRow>> runs;
+    for (const Model& model : models)
+        runs.push_back(audit(model, states, {model.label_threshold, "", 0}).scenes);
+    for (std::size_t run = 0; run < runs.front().size(); ++run) {
+        std::vector<Cell> row = {runs.front()[run].scene, runs.front()[run].particles};
+        for (const auto& of_model : runs) {
+            const AuditRow& sum = of_model[run];
             const auto candidates =
                 sum.surface_particles - sum.false_negatives + sum.false_positives;
             row.push_back(cell(sum));
             row.emplace_back(percent(candidates, sum.surface_particles) / 100);
-            row[1] = sum.particles;
         }
         table.add(row);
     }
     return {table};
 }
 
+/// The published line takes counts as they are.
+SceneErrors published_errors(const Model& published, States judged) {
+    for (LabelledState& state : judged)
+        state.count_scale = 1;
+    return sum_of(count_errors(judged, published.line, shipped_threshold));
+}
+
+/// Errors on a scene of two lines that saw all other training states.
+SceneErrors unseen_errors_of_both(const std::array<States, 2>& training,
+                                  const std::array<States, 2>& judged, const std::string& scene) {
+    const Model model = train_two_lines(of_scene(training[0], scene, false),
+                                        of_scene(training[1], scene, false), shipped_threshold);
+    return sum_of(
+        count_errors_of_both(model, of_scene(judged[0], scene), of_scene(judged[1], scene)));
+}
+
 /// From two folders.
 Tables readme(const TableInput& input) {
-    const States samples = read_states({input.files.at(0)});
-    const States both = joined(samples, read_states({input.files.at(1)}));
+    std::array<States, 2> samples, both;
+    for (const std::size_t line : {0U, 1U}) {
+        const FeaturePair features = line == 0 ? FeaturePair{} : second_features();
+        samples[line] = read_states({input.files.at(0)}, features);
+        both[line] = joined(samples[line], read_states({input.files.at(1)}, features));
+    }
     Table table =
-        table_of("readme", "scene | particles | our line: false negatives of surface, false "
-                           "positives of all | our relative line | published line, d = 28");
-    for (const std::string& scene : group_by_scene(samples).names) {
-        const States judged = of_scene(samples, scene);
-        const SceneErrors plain = unseen_errors(both, judged, shipped_threshold);
-        table.add(
-            {scene, plain.particles, cell(plain),
-             cell(unseen_errors(relative(samples), relative(judged), shipped_threshold)),
-             cell(sum_of(count_errors(judged, published_model(28).line, shipped_threshold)))});
+        table_of("readme", "scene | particles | our two lines: false negatives of surface, false "
+                           "positives of all | our first line alone | published line, d = 28");
+    Model published = published_model(28);
+    for (const std::string& scene : group_by_scene(samples[0]).names) {
+        const States judged = of_scene(samples[0], scene);
+        const SceneErrors two = unseen_errors_of_both(both, samples, scene);
+        table.add({scene, two.particles, cell(two),
+                   cell(unseen_errors(both[0], judged, shipped_threshold)),
+                   cell(published_errors(published, judged))});
     }
     return {table};
 }

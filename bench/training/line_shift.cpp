@@ -6,6 +6,7 @@
 #include <meniscus/classifier/model/model.hpp>
 #include <meniscus/classifier/training_set/error_counts.hpp>
 #include <meniscus/data/text/errors.hpp>
+#include <meniscus/runtime/features/shipped_surface_line.hpp>
 #include <meniscus/runtime/surface/surface_tension.hpp>
 
 #include <memory>
@@ -44,13 +45,14 @@ ShiftedState droplet_state(const std::filesystem::path& file) {
     return {std::move(state), std::vector<std::uint8_t>(size, 1)};
 }
 
-std::vector<Slope> slopes(const std::filesystem::path& published_model) {
+std::vector<Slope> slopes(const std::filesystem::path& published_model,
+                          const FluidState<float>& state) {
     const Model model = read_model(published_model);
     check_features_of_paper(model, "a shifted line");
     if (model.dimension != 3)
         throw InputError(published_model.string() + ": is in 2D; the published line is in 3D");
     return {{"published slope", {model.line.k, model.line.d}},
-            {"own slope", shipped_surface_line(3)}};
+            {"own slope", shipped_surface_line(3, double{state.support_radius} / state.spacing)}};
 }
 
 /// Candidates, false negatives, wide ones, false positives and missed area in percent.
@@ -142,10 +144,9 @@ Table line_shift(const LineShiftOptions& options) {
                  {"time_classify_parallel", "classification" + on_threads},
                  {"time_parallel", "step" + on_threads}},
                 {}};
-    const auto all_slopes = slopes(options.published_model);
     for (const ShiftedState& shifted :
          {paraboloid_state(options.paraboloid_width), droplet_state(options.double_droplet)})
-        for (const Slope& slope : all_slopes)
+        for (const Slope& slope : slopes(options.published_model, shifted.state))
             add_rows(shifted, slope, options, table);
     return table;
 }

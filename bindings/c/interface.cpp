@@ -95,7 +95,7 @@ void check_particles(const meniscus_surface& surface, const meniscus_particles* 
     check_struct(particles, "particles");
     const auto& [size, count, positions, stride, masses, radius, radii, ids, offsets, neighbors,
                  offset_bits, boundary_count, boundary, boundary_offsets, boundary_neighbors,
-                 candidates] = *particles;
+                 boundary_weights, candidates] = *particles;
     demand(count <= std::size_t{std::numeric_limits<std::int32_t>::max()},
            "particles.count must be below 2^31");
     if (count == 0)
@@ -137,6 +137,7 @@ StepParticles step_particles(const meniscus_particles& from) {
     to.boundary_positions = from.boundary_positions;
     to.boundary_offsets = from.boundary_offsets;
     to.boundary_neighbors = from.boundary_neighbors;
+    to.boundary_weights = from.boundary_weights;
     to.candidates = from.candidates;
     return to;
 }
@@ -217,6 +218,7 @@ void check_contents(const meniscus_particles& particles, std::size_t dimension) 
         return;
     check_vectors<Real>("boundary_positions", particles.boundary_positions,
                         particles.boundary_count, stride, dimension);
+    check_positive<Real>("boundary_weights", particles.boundary_weights, particles.boundary_count);
     check_rows("boundary_offsets", particles.offset_bits, particles.boundary_offsets,
                particles.boundary_neighbors, count, particles.boundary_count);
 }
@@ -359,6 +361,7 @@ int meniscus_check(const meniscus_surface* surface, const meniscus_particles* pa
         with_real(*surface, [&](auto real) {
             check_contents<decltype(real)>(*particles, surface->dimension);
         });
+        surface->step->check(step_particles(*particles));
     });
 }
 

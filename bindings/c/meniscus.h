@@ -68,6 +68,14 @@ enum meniscus_class {
     MENISCUS_AT_SURFACE = 2
 };
 
+/* A second line for the candidates of the first, in any two features, by the names that an exported
+ * header has: they stay where y <= k x + d, or >= where surface lies above. */
+typedef struct meniscus_second_line {
+    const char* features[2]; /* x and y */
+    double k, d;             /* -1e6 to 1e6 */
+    int surface_above;       /* not 0: >= */
+} meniscus_second_line;
+
 /* A map of curvature, as `struct CurvatureCoefficients` of an exported header has it. */
 typedef struct meniscus_curvature_map {
     double coefficients[4];
@@ -81,8 +89,10 @@ typedef struct meniscus_curvature_map {
 typedef struct meniscus_options {
     size_t size;             /* of this struct, which tells versions apart; set by the two */
     double k, d;             /* line of the classifier: candidates have y <= k x + d; -1e6 to 1e6;
-                                both NaN, as the two set them: the line that ships for the
-                                dimension */
+                                both NaN, as the two set them: the classifier that ships for the
+                                dimension, with its second line and boundary weight */
+    double boundary_weight;  /* share of its volume by which a boundary particle counts in the
+                                features of the lines, 0 to 10; 0: it only covers */
     double radius_ratio;     /* r2 / r1 that the line was trained with, above 0, below 1 */
     size_t samples;          /* a particle, 4 to 16384; see meniscus_set_samples */
     uint64_t seed;           /* of the samples */
@@ -91,7 +101,9 @@ typedef struct meniscus_options {
     double tau;              /* share of the neighbors in smoothing (eq. 6), 0 to 1 */
     double covariance_share; /* of normals from positions (eq. 7), 0 to 1 */
     double surface_tension;  /* sigma in N/m */
-    double spacing_ratio;    /* support radius over particle spacing at rest */
+    double spacing_ratio;    /* support radius over the spacing of particles at rest, the root of
+                                their volume m / rho_0; picks the classifier that ships */
+    const meniscus_second_line* second_line;     /* NULL: none, unless k and d are NaN */
     const meniscus_curvature_map* curvature_map; /* NULL: the one that ships for the dimension */
     int coverage;                                /* meniscus_coverage */
     int verification;                            /* meniscus_verification */
@@ -120,14 +132,18 @@ typedef struct meniscus_particles {
     const void* offsets; /* count + 1 of uint32_t or uint64_t, ascending */
     const uint32_t* neighbors;
     int offset_bits; /* 32 or 64, of `offsets` and `boundary_offsets` */
-    /* Boundary particles cover, and a connected component of fluid that has one within h is at a
-     * wall. */
+    /* Boundary particles cover; they count in the features of the lines by options.boundary_weight;
+     * and a connected component of fluid that has one within h is at a wall. */
     size_t boundary_count;
     const void* boundary_positions;     /* real, `stride` values each; NULL: no boundary */
     const void* boundary_offsets;       /* count + 1, as `offsets` */
     const uint32_t* boundary_neighbors; /* boundary particles around each fluid particle */
-    /* The host's own classification in its density loop: not 0 for candidates. NULL: the line of
-     * the options decides. */
+    const void* boundary_weights; /* real, one a boundary particle: how many fluid particles it
+                                     stands for, psi_b / m with the boundary volumes of Akinci
+                                     et al. (2012). NULL: 1, which is safe and leaves more
+                                     candidates at walls */
+    /* The host's own classification in its density loop: not 0 for what the first line lets
+     * through. NULL: that line decides here. */
     const uint8_t* candidates;
 } meniscus_particles;
 
@@ -194,7 +210,8 @@ MENISCUS_API int meniscus_step(meniscus_surface* surface, const meniscus_particl
 
 /* Looks at everything that a step reads: positions that are finite and not so far from the origin
  * that the number type cannot tell neighbors apart, positive masses and radii, ascending offsets,
- * neighbors that exist. For while a solver is written; takes about as long as a step.
+ * neighbors that exist, each pair in both lists and once, and as many neighbors as the options'
+ * spacing_ratio says. For while a solver is written; takes about as long as a step.
  * The message names the first particle that is wrong. */
 MENISCUS_API int meniscus_check(const meniscus_surface* surface,
                                 const meniscus_particles* particles);

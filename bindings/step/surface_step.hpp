@@ -39,11 +39,15 @@ struct StepParticles {
     const void* offsets = nullptr;       ///< count + 1, ascending
     const std::uint32_t* neighbors = nullptr;
     bool wide_offsets = true; ///< offsets and boundary_offsets are uint64_t, else uint32_t
-    // Boundary particles cover, and fluid that has one within h touches a wall.
+    // Boundary particles cover, count where the options say so, and fluid that has one within h
+    // touches a wall.
     const void* boundary_positions = nullptr; ///< real, `stride` values each; nullptr: none
     const void* boundary_offsets = nullptr;
     const std::uint32_t* boundary_neighbors = nullptr; ///< around each fluid particle
-    /// The host's own classification: not 0 for candidates. nullptr: the line decides.
+    /// real, how many fluid particles each stands for (runtime/neighbors/boundary.hpp); nullptr: 1
+    const void* boundary_weights = nullptr;
+    /// The host's own classification: not 0 for what the first line lets through. nullptr: the line
+    /// decides.
     const std::uint8_t* candidates = nullptr;
 };
 
@@ -72,6 +76,9 @@ public:
     virtual void set_samples(std::size_t samples) = 0;
     virtual void set_line(double k, double d) = 0;
     virtual void step(const StepParticles& particles) = 0;
+    /// Throws std::invalid_argument as check_lists() and check_spacing_ratio() do
+    /// (runtime/features/check_neighborhood.hpp).
+    virtual void check(const StepParticles& particles) const = 0;
     /// After a step, with the same particles.
     virtual void balance_momentum(const StepParticles& particles) = 0;
     [[nodiscard]] virtual StepResults results() const = 0;

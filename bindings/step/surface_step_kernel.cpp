@@ -3,6 +3,7 @@
 
 #include <meniscus/runtime/simd/begin_kernel.hpp>
 
+#include <meniscus/runtime/features/check_neighborhood.hpp>
 #include <meniscus/runtime/surface/surface_tension.hpp>
 
 namespace meniscus {
@@ -66,7 +67,8 @@ FeatureSum<Real, Dimension> sum_features(const HostLists<Real, Dimension>& view,
     }
 }
 
-/// View over the boundary, which may be none: known at run time only.
+/// View over the boundary, which may be none: known at run time only. Weights take the place of
+/// masses.
 template <class Real, int Dimension>
 struct HostBoundary {
     static constexpr bool is_there = true;
@@ -97,6 +99,15 @@ public:
 
     void step(const StepParticles& particles) override {
         with_radii(particles, [&](const auto& radii) { step_with(particles, radii); });
+    }
+
+    void check(const StepParticles& particles) const override {
+        with_radii(particles, [&](const auto& radii) {
+            const Lists view = fluid(particles);
+            check_lists<Real, Dimension>(view, particles.count, radii);
+            check_spacing_ratio<Real, Dimension>(view, particles.count, radii,
+                                                 tension.options().spacing_ratio);
+        });
     }
 
     void balance_momentum(const StepParticles& particles) override {
@@ -143,7 +154,7 @@ private:
         const void* offsets =
             particles.boundary_positions != nullptr ? particles.boundary_offsets : nullptr;
         return {Lists{static_cast<const Real*>(particles.boundary_positions), stride_of(particles),
-                      nullptr,
+                      static_cast<const Real*>(particles.boundary_weights),
                       HostRows{offsets, particles.wide_offsets, particles.boundary_neighbors},
                       static_cast<const Real*>(particles.positions)}};
     }

@@ -76,11 +76,11 @@ AuditRow audit_state(const Model& model, const Snapshot& snapshot, const Labelle
     check_label_threshold(label_threshold);
     check_dimension(model, state.dimension, state.file);
     check_radius_ratio(model, state.radius_ratio, state.file);
-    check_boundary_rule(model, state.boundary_counts, state.file);
+    check_boundary_weight(model, state.boundary_weight, state.file);
     const auto valid = valid_particles(snapshot, state.file);
     const auto neighborhoods = naming_file(state.file, [&] {
-        return find_neighborhoods(snapshot, support_radii(snapshot), valid, state.boundary_counts,
-                                  threads);
+        return find_neighborhoods(snapshot, support_radii(snapshot), valid,
+                                  state.boundary_weight.value_or(0), threads);
     });
     const auto in_double = predict(model, snapshot, neighborhoods, Precision::float64);
     const auto in_float = predict(model, snapshot, neighborhoods, Precision::float32);
@@ -129,7 +129,7 @@ AuditReport audit(const Model& model, const std::vector<std::filesystem::path>& 
             audit_state(model, snapshot, state, report.label_threshold, options.threads);
         add_row(row, row_of_scene(state.scene, report.scenes));
         add_row(row, report.total);
-        uses.push_back({state.file, spacing_ratio(state), bulk_neighbor_count(state)});
+        uses.push_back({state.file, state.spacing_ratio, bulk_neighbor_count(state)});
         if (row.features_differ != 0)
             report.warnings.push_back(
                 file.string() + ": the stored neighbor counts of " +

@@ -131,9 +131,10 @@ std::string heading(const AuditReport& report) {
     const Model& model = report.model;
     std::string text =
         "surface where " + line_text(model.line, model.features, 6) + " (" + model.objective + ")";
-    if (model.reference_neighbor_count > 0)
-        text += ", y relative to a median neighbor count of " +
-                rounded_text(model.reference_neighbor_count, 4);
+    if (model.second)
+        text = "surface where " + line_text(model.line, model.features, 6) + " and " +
+               line_text(model.second->line, model.second->features, 6) + " (" + model.objective +
+               ")";
     text += "; by label where more than " + rounded_text(100 * report.label_threshold, 3) +
             " % of the sphere is uncovered";
     if (model.label_threshold != report.label_threshold)

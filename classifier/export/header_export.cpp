@@ -1,6 +1,5 @@
 #include "header_export.hpp"
 
-#include <meniscus/data/particles/boundary_rule.hpp>
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/text.hpp>
 
@@ -51,6 +50,8 @@ constexpr std::string_view members[] = {"k",
                                         "dimension",
                                         "radius_ratio",
                                         "label_threshold",
+                                        "boundary_weight",
+                                        "SecondLine",
                                         "min_bulk_neighbor_count",
                                         "max_bulk_neighbor_count",
                                         "min_spacing_ratio",
@@ -64,7 +65,7 @@ constexpr std::string_view members[] = {"k",
                                         "normal_passes",
                                         "features",
                                         "surface_above",
-                                        "reference_neighbor_count"};
+                                        "reference_spacing_ratio"};
 
 bool is_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
@@ -108,7 +109,7 @@ void check_numbers(std::initializer_list<double> numbers) {
 void check_numbers(const Model& model) {
     const Range none;
     check_numbers({model.line.k, model.line.d, model.radius_ratio, model.label_threshold,
-                   model.d_margin, model.reference_neighbor_count,
+                   model.d_margin, model.reference_spacing_ratio, model.boundary_weight,
                    model.spacing_ratio.value_or(none).min, model.spacing_ratio.value_or(none).max,
                    model.bulk_neighbor_count.value_or(none).min,
                    model.bulk_neighbor_count.value_or(none).max});
@@ -136,10 +137,16 @@ std::string range_constants(const std::string& name, const std::optional<Range>&
                     "Largest " + meaning + " seen in training" + known);
 }
 
+std::string boundary_text(const Model& model) {
+    if (model.boundary_weight == 0)
+        return "boundary particles do not count";
+    return "boundary particles count by " + number_text(model.boundary_weight) + " of their volume";
+}
+
 std::string provenance_comment(const Model& model) {
     std::string text = "// Trained by " + comment_text(model.objective) +
                        "; neighbors: " + comment_text(model.phase_rule) + "; " +
-                       std::string(boundary_rule_text(model.boundary_counts)) + ".\n";
+                       boundary_text(model) + ".\n";
     if (model.training_files.empty())
         return text + "// The training files are not recorded.\n";
     text += "// On its training files it has " + std::to_string(model.false_negatives) +
@@ -152,6 +159,10 @@ std::string provenance_comment(const Model& model) {
     return text;
 }
 
+std::string truth_text(bool value) {
+    return value ? "true" : "false";
+}
+
 /// What names the plane of the line; headers without it are of the paper's.
 std::string feature_constants(const Model& model) {
     if (is_of_paper(model.features))
@@ -161,7 +172,31 @@ std::string feature_constants(const Model& model) {
            feature_list[model.features.second].name +
            "\"};\n    /// Whether surface lies above the line, else below\n"
            "    static constexpr bool surface_above = " +
-           (model.line.above ? "true" : "false") + ";\n";
+           truth_text(model.line.above) + ";\n";
+}
+
+/// The second line, as a coefficient struct of its own.
+std::string second_struct(const Model& model) {
+    if (!model.second)
+        return {};
+    const SecondModelLine& second = *model.second;
+    Model as_first = model;
+    as_first.features = second.features;
+    as_first.line = second.line;
+    std::string text =
+        "/// For the candidates that the first lets through, in other features\nstruct SecondLine "
+        "{\n" +
+        feature_constants(as_first) + constant("k", second.line.k, "Slope") +
+        constant("d", second.line.d,
+                 "Constant, " + rounded_text(second.d_margin, 3) + " of it for rounding") +
+        "    static constexpr int dimension = " + std::to_string(model.dimension) + ";\n" +
+        constant("radius_ratio", model.radius_ratio, "As of the first") + "};\n";
+    std::string indented;
+    std::size_t begin = 0;
+    for (std::size_t end = text.find('\n'); end != std::string::npos;
+         begin = end + 1, end = text.find('\n', begin))
+        indented += "    " + text.substr(begin, end + 1 - begin);
+    return indented;
 }
 
 std::string struct_text(const Model& model, const std::string& struct_name) {
@@ -176,17 +211,19 @@ std::string struct_text(const Model& model, const std::string& struct_name) {
            "    static constexpr int dimension = " + std::to_string(model.dimension) + ";\n" +
            constant("radius_ratio", model.radius_ratio,
                     "r2 / r1 of the labels; neighbors closer than r1 - r2 do not count") +
-           constant("reference_neighbor_count", model.reference_neighbor_count,
-                    model.reference_neighbor_count > 0
-                        ? "k and d are for this median neighbor count; scale them to yours"
-                        : "0: neighbor counts are taken as they are") +
+           constant("reference_spacing_ratio", model.reference_spacing_ratio,
+                    model.reference_spacing_ratio > 0
+                        ? "The lines follow support radius over rest spacing; k and d are for this"
+                        : "0: counts are taken as they are") +
+           constant("boundary_weight", model.boundary_weight,
+                    "Share of its volume that a boundary particle counts for; 0: it only covers") +
            constant("label_threshold", model.label_threshold,
                     "Surface means an uncovered fraction above this") +
            range_constants("bulk_neighbor_count", model.bulk_neighbor_count,
                            "typical neighbor count inside") +
            range_constants("spacing_ratio", model.spacing_ratio,
                            "support radius over particle spacing") +
-           "};\n";
+           second_struct(model) + "};\n";
 }
 
 /// For the include guard (#pragma once draws a warning where the header itself is compiled). It
@@ -267,12 +304,8 @@ std::string coefficient_header(const Model& model, const std::string& struct_nam
     return "// clang-format off\n// The line that tells surface particles from others: surface "
            "where y " +
            std::string(model.line.above ? ">=" : "<=") + " k x + d, with " + plane_text(model) +
-           "Written by `meniscus export`; do not edit.\n" +
-           (model.reference_neighbor_count > 0
-                ? "// The line is relative: scale k and d by your median neighbor count over\n"
-                  "// reference_neighbor_count.\n//\n"
-                : "//\n") +
-           provenance_comment(model) + guarded(content);
+           "Written by `meniscus export`; do not edit.\n" + "//\n" + provenance_comment(model) +
+           guarded(content);
 }
 
 std::string coefficient_header(const CurvatureModel& model, const std::string& struct_name) {

@@ -4,57 +4,14 @@
 
 #include <meniscus/data/particles/particle_arrays.hpp>
 #include <meniscus/data/text/errors.hpp>
-#include <meniscus/runtime/features/classifier.hpp>
+#include <meniscus/runtime/surface/option_table.hpp>
+#include <meniscus/runtime/surface/surface_particles.hpp>
 
 #include <algorithm>
 #include <cmath>
 
 namespace meniscus {
 namespace {
-
-/// The model's line, scaled to the state where it is relative.
-template <class Real>
-SurfaceLine<Real> line_for(const Model& model, const std::vector<double>& counts,
-                           const std::vector<std::uint8_t>& valid) {
-    if (model.reference_neighbor_count == 0)
-        return {static_cast<Real>(model.line.k), static_cast<Real>(model.line.d)};
-    std::vector<double> of_valid;
-    for (std::size_t i = 0; i < counts.size(); ++i)
-        if (valid[i] != 0)
-            of_valid.push_back(counts[i]);
-    return scaled_line<Real>(model.line.k, model.line.d,
-                             median_neighbor_count(of_valid.data(), of_valid.size()),
-                             model.reference_neighbor_count);
-}
-
-/// By a line in any two features, over UniformRadius or VaryingRadii.
-template <class Real, int Dimension, class View, class Radii>
-Predictions predict_by_features(const View& view, const Model& model, const Radii& radii,
-                                std::size_t count) {
-    const auto range = range_of(radii, model.radius_ratio);
-    Predictions predictions;
-    predictions.surface.resize(count);
-    predictions.neighbor_count.resize(count);
-    std::vector<FeatureNeighbor<Real, Dimension>> neighbors;
-    const auto value = [&](std::size_t feature) {
-        return feature_value<Real, Dimension>(feature, neighbors.data(), neighbors.size());
-    };
-    for (std::size_t i = 0; i < count; ++i) {
-        neighbors.clear();
-        view(i, [&](std::size_t j, const auto& displacement, Real mass) {
-            visit_if_in_range<Dimension>(displacement, mass, i, j, radii, range,
-                                         [&](const auto& one) { neighbors.push_back(one); });
-        });
-        predictions.neighbor_count[i] = static_cast<double>(value(FeaturePair{}.second));
-        const bool surface =
-            neighbors.empty() ||
-            is_on_surface_side(value(model.features.first), value(model.features.second),
-                               static_cast<Real>(model.line.k), static_cast<Real>(model.line.d),
-                               model.line.above);
-        predictions.surface[i] = static_cast<std::uint8_t>(surface);
-    }
-    return predictions;
-}
 
 /// Three values a particle.
 template <class Real>
@@ -65,69 +22,86 @@ std::vector<Real> coordinates_of(const Positions& positions) {
     return coordinates;
 }
 
-/// The view of a host with two point sets: the neighbors in the fluid, then those in the boundary.
-/// These have no support radius of their own; as number j they are given particle i's, whose radius
-/// then holds for the pair.
+/// A host's view of its boundary, with the weights of its particles.
 template <class Real, int Dimension>
-struct FluidAndBoundary {
-    CsrNeighborhood<Real, Dimension, 3> fluid;
-    const Real* boundary;       ///< coordinates, as those of the fluid
-    const NeighborLists& lists; ///< boundary neighbors of the fluid particles
-    Real boundary_mass;         ///< kg; 0: that of particle i
+struct StoredBoundary {
+    const Real* centers;  ///< coordinates of the fluid
+    const Real* boundary; ///< coordinates, as those of the fluid
+    const Neighborhoods& neighborhoods;
 
     template <class Visit>
     void operator()(std::size_t i, Visit&& visit) const {
-        fluid(i, visit);
-        const Real* center = fluid.positions + 3 * i;
-        const Real own_mass = fluid.masses != nullptr ? fluid.masses[i] : Real(1);
+        const Real* center = centers + 3 * i;
+        const NeighborLists& lists = neighborhoods.boundary_lists;
         for (std::size_t n = lists.offsets[i]; n < lists.offsets[i + 1]; ++n) {
-            const Real* position = boundary + std::size_t{3} * lists.neighbors[n];
+            const std::size_t b = lists.neighbors[n];
             std::array<Real, Dimension> displacement;
             for (int axis = 0; axis < Dimension; ++axis)
-                displacement[axis] = position[axis] - center[axis];
-            visit(i, displacement, boundary_mass == 0 ? own_mass : boundary_mass);
+                displacement[axis] = boundary[3 * b + axis] - center[axis];
+            visit(b, displacement,
+                  static_cast<Real>(
+                      neighborhoods.boundary_weights.of(b, neighborhoods.radii.of(i), Dimension)));
         }
     }
 };
 
-template <class Real, int Dimension, class View>
-Predictions predict_over(const View& view, const Model& model, const Neighborhoods& neighborhoods) {
-    if (!is_of_paper(model.features))
-        return predict_by_features<Real, Dimension>(
-            view, model, UniformRadius<Real>{static_cast<Real>(neighborhoods.radii.max)},
-            neighborhoods.valid.size());
-    const auto range = neighbor_range<Real>(neighborhoods.radii.max, model.radius_ratio);
-    const auto support_radius = static_cast<Real>(neighborhoods.radii.max);
+/// Feature y of each particle.
+template <class Real, int Dimension, class View, class Boundary>
+std::vector<double> neighbor_counts(const View& view, const Boundary& boundary, std::size_t count,
+                                    const UniformRadius<Real>& radii, double radius_ratio) {
+    const auto range = range_of(radii, radius_ratio);
+    std::vector<double> counts(count);
+    for (std::size_t i = 0; i < count; ++i)
+        counts[i] = static_cast<double>(
+            with_boundary(sum_features<Real, Dimension>(view, i, range), boundary, i, range).count);
+    return counts;
+}
+
+template <class Real, int Dimension, class View, class Boundary>
+std::vector<double> neighbor_counts(const View& view, const Boundary& boundary, std::size_t count,
+                                    const VaryingRadii<Real>& radii, double radius_ratio) {
+    const auto range = range_of(radii, radius_ratio);
+    std::vector<double> counts(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        auto sum = sum_features<Real, Dimension>(view, i, radii, range);
+        add_scaled_boundary(boundary, i, radii, range, sum);
+        counts[i] = static_cast<double>(sum.count);
+    }
+    return counts;
+}
+
+template <class Real, int Dimension, class View, class Boundary, class Radii>
+Predictions predict_over(const View& view, const Boundary& boundary, const Radii& radii,
+                         const Model& model, const Neighborhoods& neighborhoods) {
     const std::size_t count = neighborhoods.valid.size();
     Predictions predictions;
+    predictions.neighbor_count = neighbor_counts<Real, Dimension>(
+        view, times_weight(boundary, static_cast<Real>(model.boundary_weight)), count, radii,
+        model.radius_ratio);
+    SurfaceTensionOptions options;
+    options.spacing_ratio = neighborhoods.spacing_ratio;
+    set_classifier(options, model);
+    ExposureMemory memory;
+    SurfaceParticles<Real, Dimension> list;
+    find_candidates<Real, Dimension>(view, boundary, count, radii, options, SerialLoop{}, &memory,
+                                     list);
     predictions.surface.resize(count);
-    predictions.neighbor_count.resize(count);
     for (std::size_t i = 0; i < count; ++i)
-        predictions.neighbor_count[i] = sum_features<Real, Dimension>(view, i, range).count;
-    const auto line = line_for<Real>(model, predictions.neighbor_count, neighborhoods.valid);
-    classify<Real, Dimension>(view, 0, count, support_radius, line, range,
-                              predictions.surface.data());
+        predictions.surface[i] = static_cast<std::uint8_t>(list.slot_of[i] >= 0);
     return predictions;
 }
 
-/// The same where radii vary.
-template <class Real, int Dimension, class View>
-Predictions predict_scaled(const View& view, const Model& model,
-                           const Neighborhoods& neighborhoods) {
-    const std::vector<Real> each(neighborhoods.radii.each.begin(), neighborhoods.radii.each.end());
-    const VaryingRadii<Real> radii{each.data()};
-    if (!is_of_paper(model.features))
-        return predict_by_features<Real, Dimension>(view, model, radii, each.size());
-    const auto range = neighbor_range<Real>(1, model.radius_ratio);
-    Predictions predictions;
-    predictions.surface.resize(each.size());
-    for (std::size_t i = 0; i < each.size(); ++i)
-        predictions.neighbor_count.push_back(
-            static_cast<double>(sum_features<Real, Dimension>(view, i, radii, range).count));
-    const auto line = line_for<Real>(model, predictions.neighbor_count, neighborhoods.valid);
-    classify<Real, Dimension>(view, 0, each.size(), radii, line, model.radius_ratio,
-                              predictions.surface.data());
-    return predictions;
+template <class Real, int Dimension, class Boundary>
+Predictions predict_with(const CsrNeighborhood<Real, Dimension, 3>& fluid, const Boundary& boundary,
+                         const Model& model, const Neighborhoods& neighborhoods) {
+    const SupportRadii& radii = neighborhoods.radii;
+    if (!radii.vary())
+        return predict_over<Real, Dimension>(fluid, boundary,
+                                             UniformRadius<Real>{static_cast<Real>(radii.max)},
+                                             model, neighborhoods);
+    const std::vector<Real> each(radii.each.begin(), radii.each.end());
+    return predict_over<Real, Dimension>(fluid, boundary, VaryingRadii<Real>{each.data()}, model,
+                                         neighborhoods);
 }
 
 template <class Real, int Dimension>
@@ -138,16 +112,13 @@ Predictions predict_as(const Model& model, const Snapshot& snapshot,
     const CsrNeighborhood<Real, Dimension, 3> fluid{
         coordinates.data(), masses.empty() ? nullptr : masses.data(),
         neighborhoods.lists.offsets.data(), neighborhoods.lists.neighbors.data()};
-    const bool vary = neighborhoods.radii.vary();
     if (neighborhoods.boundary_lists.offsets.empty())
-        return vary ? predict_scaled<Real, Dimension>(fluid, model, neighborhoods)
-                    : predict_over<Real, Dimension>(fluid, model, neighborhoods);
+        return predict_with<Real, Dimension>(fluid, NoBoundary{}, model, neighborhoods);
     const auto boundary = coordinates_of<Real>(snapshot.boundary);
-    const FluidAndBoundary<Real, Dimension> both{fluid, boundary.data(),
-                                                 neighborhoods.boundary_lists,
-                                                 static_cast<Real>(neighborhoods.boundary_mass)};
-    return vary ? predict_scaled<Real, Dimension>(both, model, neighborhoods)
-                : predict_over<Real, Dimension>(both, model, neighborhoods);
+    using Stored = StoredBoundary<Real, Dimension>;
+    return predict_with<Real, Dimension>(
+        fluid, BoundaryView<Stored>{{coordinates.data(), boundary.data(), neighborhoods}}, model,
+        neighborhoods);
 }
 
 template <class Real>
@@ -190,7 +161,7 @@ NeighborLists find_boundary_neighbors(const Snapshot& snapshot, const SupportRad
 }
 
 Neighborhoods find_neighborhoods(const Snapshot& snapshot, const SupportRadii& radii,
-                                 const std::vector<std::uint8_t>& valid, bool boundary_counts,
+                                 const std::vector<std::uint8_t>& valid, double boundary_weight,
                                  int threads) {
     const auto phases = integer_values(snapshot, "phase", valid);
     Neighborhoods result;
@@ -199,9 +170,11 @@ Neighborhoods find_neighborhoods(const Snapshot& snapshot, const SupportRadii& r
     result.valid = valid;
     result.lists = find_neighbors(snapshot.positions, radii,
                                   {&valid, phases.empty() ? nullptr : &phases}, threads);
-    if (boundary_counts && !snapshot.boundary.empty()) {
+    result.spacing_ratio = measured_spacing_ratio(snapshot, radii, valid, threads);
+    if (boundary_weight > 0 && !snapshot.boundary.empty()) {
         result.boundary_lists = find_boundary_neighbors(snapshot, radii, valid, threads);
-        result.boundary_mass = radii.vary() ? 0 : mean_mass(result.masses, valid);
+        result.boundary_weights =
+            boundary_weights(snapshot, radii, valid, result.spacing_ratio, threads);
     }
     return result;
 }
@@ -219,7 +192,7 @@ Classes classify_snapshot(const Snapshot& snapshot, const Model& model,
     Classes classes;
     classes.valid = checked_positions(snapshot, radii, options.skip_invalid);
     classes.neighborhoods =
-        find_neighborhoods(snapshot, radii, classes.valid, model.boundary_counts, options.threads);
+        find_neighborhoods(snapshot, radii, classes.valid, model.boundary_weight, options.threads);
     auto predictions = predict(model, snapshot, classes.neighborhoods, Precision::float64);
     classes.surface = std::move(predictions.surface);
     classes.neighbor_count = std::move(predictions.neighbor_count);
@@ -228,12 +201,11 @@ Classes classify_snapshot(const Snapshot& snapshot, const Model& model,
             classes.surface[i] = 0;
     if (auto doubt = doubtful_positions(snapshot, radii, classes.valid); !doubt.empty())
         classes.warnings.push_back(std::move(doubt));
-    if (model.boundary_counts && snapshot.boundary.empty())
-        classes.warnings.emplace_back(
-            "the model counts boundary particles and there are none; give them with --boundary");
-    ModelUse use{"", {}, interior_neighbor_count(classes)};
-    if (snapshot.particle_spacing && !radii.vary())
-        use.spacing_ratio = radii.max / *snapshot.particle_spacing;
+    const double ratio = classes.neighborhoods.spacing_ratio;
+    ModelUse use{"", ratio, interior_neighbor_count(classes)};
+    if (use.bulk_neighbor_count && model.reference_spacing_ratio > 0)
+        *use.bulk_neighbor_count *=
+            std::pow(model.reference_spacing_ratio / ratio, model.dimension);
     const std::string warning = outside_trained_range(model, {use});
     if (!warning.empty())
         classes.warnings.push_back(warning);

@@ -5,6 +5,7 @@
 #include "model.hpp"
 
 #include <meniscus/data/particles/neighbor_search.hpp>
+#include <meniscus/data/particles/particle_volumes.hpp>
 #include <meniscus/data/particles/snapshot.hpp>
 
 #include <cstdint>
@@ -16,11 +17,11 @@ namespace meniscus {
 /// What features are summed over.
 struct Neighborhoods {
     NeighborLists lists;
-    NeighborLists boundary_lists; ///< indices of boundary particles; empty where none counts
-    std::vector<double> masses;   ///< kg, one a particle; empty where all are equal
-    /// kg, of each boundary particle: mean_mass of the fluid; 0: that of its neighbor.
-    double boundary_mass = 1;
-    SupportRadii radii = 0; ///< h in m
+    NeighborLists boundary_lists;     ///< indices of boundary particles; empty where none counts
+    std::vector<double> masses;       ///< kg, one a particle; empty where all are equal
+    BoundaryWeights boundary_weights; ///< of the boundary particles in the lists
+    SupportRadii radii = 0;           ///< h in m
+    double spacing_ratio = 1;         ///< measured_spacing_ratio()
     std::vector<std::uint8_t> valid;
 };
 
@@ -31,19 +32,20 @@ NeighborLists find_boundary_neighbors(const Snapshot& snapshot, const SupportRad
                                       const std::vector<std::uint8_t>& valid, int threads);
 
 /// The neighborhoods of the particles whose `valid` is not 0: a `phase` array keeps phases apart, a
-/// `mass` array weights the features. With `boundary_counts` the snapshot's boundary particles are
-/// neighbors too, whatever the phase; where radii vary, each with radius and mass of the particle
-/// that it is a neighbor of. `threads` 0 takes all cores. Throws InputError where such an
-/// array cannot be used, where the mass of a valid particle is not positive, or where the neighbor
-/// search refuses; likewise for a boundary that counts.
+/// `mass` array weights the features. With a `boundary_weight` the snapshot's boundary particles
+/// are neighbors too, whatever the phase, with their volumes (data/particles/particle_volumes.hpp);
+/// where radii vary, each with the radius of the particle that it is a neighbor of. `threads` 0
+/// takes all cores. Throws InputError where such an array cannot be used, where the mass of a valid
+/// particle is not positive, or where the neighbor search refuses; likewise for a boundary that
+/// counts.
 Neighborhoods find_neighborhoods(const Snapshot& snapshot, const SupportRadii& radii,
-                                 const std::vector<std::uint8_t>& valid, bool boundary_counts,
+                                 const std::vector<std::uint8_t>& valid, double boundary_weight,
                                  int threads);
 
 /// One entry a particle, in the snapshot's order.
 struct Predictions {
     std::vector<std::uint8_t> surface;  ///< 1 surface, 0 interior
-    std::vector<double> neighbor_count; ///< feature y; whole where radii do not vary
+    std::vector<double> neighbor_count; ///< feature y; whole for one radius, no boundary
 };
 
 /// Runs the runtime's classifier with positions, masses, radii and line in the given precision. A
@@ -60,13 +62,13 @@ struct ClassifyOptions {
 struct Classes {
     std::vector<std::uint8_t> surface;  ///< 1 surface, 0 interior or not valid
     std::vector<std::uint8_t> valid;    ///< 0 where left out
-    std::vector<double> neighbor_count; ///< feature y; whole where radii do not vary
+    std::vector<double> neighbor_count; ///< feature y; whole for one radius, no boundary
     std::vector<std::string> warnings;  ///< one line each, for standard error
     Neighborhoods neighborhoods;        ///< that the classes were found over
 };
 
-/// Classifies a snapshot in double. Its boundary particles count where the model says that they do;
-/// it warns where there are none then. Throws InputError where it has no support radius, where the
+/// Classifies a snapshot in double. Its boundary particles count where the model says that they do.
+/// Throws InputError where it has no support radius, where the
 /// model is of another dimension, where positions cannot be worked with (checked_positions) unless
 /// skip_invalid, and as find_neighborhoods does.
 Classes classify_snapshot(const Snapshot& snapshot, const Model& model,

@@ -1,12 +1,13 @@
 #include "model.hpp"
 
 #include <meniscus/data/json/json_reader.hpp>
-#include <meniscus/data/particles/boundary_rule.hpp>
 #include <meniscus/data/particles/feature_names.hpp>
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/text.hpp>
+#include <meniscus/runtime/surface/option_table.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace meniscus {
 namespace {
@@ -14,8 +15,6 @@ namespace {
 constexpr const char* format_name = "meniscus model";
 constexpr int format_version = 1;
 
-/// Neighbor counts by the median of their state, in place of the paper's own.
-constexpr const char* relative_count = "relative_neighbor_count";
 constexpr const char* side_key = "surface_side";
 
 // Far beyond anything that features give; larger numbers are damage.
@@ -31,32 +30,48 @@ void check_format(const JsonReader& reader) {
                       std::to_string(format_version) + " for this program to read it");
 }
 
-/// Sets features, and the reference count where they are relative.
-void read_features(const JsonReader& reader, Model& model) {
-    constexpr FeaturePair of_paper;
-    auto names = reader.texts("features");
-    const std::string expected = "two different names of " + feature_names() + "; or " +
-                                 feature_list[of_paper.first].name + " and " + relative_count;
-    if (names.size() != 2 || names[0] == names[1])
-        reader.refuse("features", expected);
-    const bool relative =
-        names[0] == feature_list[of_paper.first].name && names[1] == relative_count;
-    if (relative) {
-        names[1] = feature_list[of_paper.second].name;
-        model.reference_neighbor_count =
-            reader.number("reference_neighbor_count", 1, max_neighbor_count);
-    }
-    model.features = {find_feature(names[0]), find_feature(names[1])};
-    if (model.features.first == feature_count || model.features.second == feature_count)
-        reader.refuse("features", expected);
-    if (reader.has(side_key) && !is_of_paper(model.features))
-        model.line.above = reader.choice(side_key, {"below", "above"}) == 1;
+/// The two features of a line.
+FeaturePair read_features(const JsonReader& reader) {
+    const auto names = reader.texts("features");
+    FeaturePair pair;
+    if (names.size() == 2)
+        pair = {find_feature(names[0]), find_feature(names[1])};
+    if (names.size() != 2 || names[0] == names[1] || pair.first == feature_count ||
+        pair.second == feature_count)
+        reader.refuse("features", "two different names of " + feature_names());
+    return pair;
 }
 
-Json features_json(const Model& model) {
-    return {feature_list[model.features.first].name,
-            model.reference_neighbor_count > 0 ? relative_count
-                                               : feature_list[model.features.second].name};
+Json features_json(const FeaturePair& pair) {
+    return {feature_list[pair.first].name, feature_list[pair.second].name};
+}
+
+bool read_side(const JsonReader& reader) {
+    return reader.choice(side_key, {"below", "above"}) == 1;
+}
+
+const char* side_text(const Line& line) {
+    return line.above ? "above" : "below";
+}
+
+constexpr const char* second_key = "second_line";
+
+SecondModelLine second_line(const JsonReader& reader) {
+    SecondModelLine second;
+    second.features = read_features(reader);
+    second.line.k = reader.number("k", -max_coefficient, max_coefficient);
+    second.line.d = reader.number("d", -max_coefficient, max_coefficient);
+    second.line.above = read_side(reader);
+    second.d_margin = reader.number("d_margin", 0, max_coefficient);
+    return second;
+}
+
+Json second_json(const SecondModelLine& second) {
+    return {{"features", features_json(second.features)},
+            {side_key, side_text(second.line)},
+            {"k", second.line.k},
+            {"d", second.line.d},
+            {"d_margin", second.d_margin}};
 }
 
 TrainingFile training_file(const JsonReader& reader) {
@@ -119,15 +134,6 @@ std::string worst_use(const std::string& what, const std::optional<Range>& train
            " in training";
 }
 
-bool read_boundary_rule(const JsonReader& reader) {
-    constexpr const char* key = "boundary_rule";
-    const auto counts = boundary_counts_from(reader.text(key));
-    if (!counts)
-        reader.refuse(key, "'" + std::string(boundary_counts_text) + "' or '" +
-                               std::string(boundary_ignored_text) + "'");
-    return *counts;
-}
-
 std::string model_name(const Model& model) {
     return model.file.empty() ? std::string("the model") : "model " + model.file;
 }
@@ -146,7 +152,16 @@ Model model_from_json(const std::string& text, const std::filesystem::path& file
     model.radius_ratio = reader.number("radius_ratio", 0, 1);
     if (model.radius_ratio == 0)
         reader.refuse("radius_ratio", "above 0");
-    read_features(reader, model);
+    model.features = read_features(reader);
+    if (reader.has(side_key) && !is_of_paper(model.features))
+        model.line.above = read_side(reader);
+    model.reference_spacing_ratio = reader.number("reference_spacing_ratio", 0, max_spacing_ratio);
+    if (reader.has(second_key)) {
+        if (!is_of_paper(model.features))
+            reader.refuse(second_key,
+                          "absent, or after a first line of " + names_of(FeaturePair{}));
+        model.second = second_line(reader.object_at(second_key));
+    }
     model.label_threshold = reader.number("label_threshold", 0, 1);
     if (model.label_threshold == 1)
         reader.refuse("label_threshold", "below 1");
@@ -155,7 +170,7 @@ Model model_from_json(const std::string& text, const std::filesystem::path& file
     model.spacing_ratio = reader.range("spacing_ratio", 0, max_spacing_ratio);
     model.bulk_neighbor_count = reader.range("bulk_neighbor_count", 0, max_neighbor_count);
     model.phase_rule = reader.text("phase_rule");
-    model.boundary_counts = read_boundary_rule(reader);
+    model.boundary_weight = reader.number("boundary_weight", 0, 10);
     read_training(reader, model);
     return model;
 }
@@ -176,7 +191,7 @@ std::string model_to_json(const Model& model) {
                  {"format_version", format_version},
                  {"k", model.line.k},
                  {"d", model.line.d},
-                 {"features", features_json(model)},
+                 {"features", features_json(model.features)},
                  {"dimension", model.dimension},
                  {"radius_ratio", model.radius_ratio},
                  {"label_threshold", model.label_threshold},
@@ -185,14 +200,15 @@ std::string model_to_json(const Model& model) {
                  {"spacing_ratio", range_json(model.spacing_ratio)},
                  {"bulk_neighbor_count", range_json(model.bulk_neighbor_count)},
                  {"phase_rule", model.phase_rule},
-                 {"boundary_rule", boundary_rule_text(model.boundary_counts)},
+                 {"boundary_weight", model.boundary_weight},
+                 {"reference_spacing_ratio", model.reference_spacing_ratio},
                  {"training_files", files},
                  {"false_negatives", model.false_negatives},
                  {"false_positives", model.false_positives}};
     if (!is_of_paper(model.features))
-        json[side_key] = model.line.above ? "above" : "below";
-    if (model.reference_neighbor_count > 0)
-        json["reference_neighbor_count"] = model.reference_neighbor_count;
+        json[side_key] = side_text(model.line);
+    if (model.second)
+        json[second_key] = second_json(*model.second);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -204,10 +220,34 @@ std::string line_text(const Line& line, const FeaturePair& features, int digits)
 }
 
 void check_features_of_paper(const Model& model, const std::string& what) {
+    if (model.second)
+        throw InputError(model_name(model) + " has two lines, and " + what +
+                         " needs one; use a model that was trained without --second-features");
     if (!is_of_paper(model.features))
         throw InputError(model_name(model) + " is of the features " + names_of(model.features) +
-                         ", and " + what + " needs " + names_of({}) +
+                         ", and " + what + " needs " + names_of(FeaturePair{}) +
                          "; use a model that was trained with these");
+}
+
+void set_classifier(SurfaceTensionOptions& options, const Model& model) {
+    const double ratio = options.spacing_ratio / model.reference_spacing_ratio;
+    const double scale = model.reference_spacing_ratio > 0 ? std::pow(ratio, model.dimension) : 1;
+    const auto as_second = [&](const FeaturePair& pair, const Line& line) {
+        return SecondLine{true,
+                          pair.first,
+                          pair.second,
+                          scaled_k(line.k, pair, scale),
+                          scaled_d(line.d, pair, scale),
+                          line.above};
+    };
+    const bool of_paper = is_of_paper(model.features);
+    set_line(options, of_paper ? SurfaceLine<double>{model.line.k * scale, model.line.d * scale}
+                               : line_that_passes_all);
+    options.second_line = !of_paper      ? as_second(model.features, model.line)
+                          : model.second ? as_second(model.second->features, model.second->line)
+                                         : SecondLine{};
+    options.boundary_weight = model.boundary_weight;
+    options.radius_ratio = model.radius_ratio;
 }
 
 void check_dimension(const Model& model, int dimension, const std::string& file) {
@@ -225,13 +265,13 @@ void check_radius_ratio(const Model& model, double radius_ratio, const std::stri
                          number_text(model.radius_ratio));
 }
 
-void check_boundary_rule(const Model& model, bool boundary_counts, const std::string& file) {
-    if (model.boundary_counts != boundary_counts)
-        throw InputError(model_name(model) + " was trained by the rule '" +
-                         std::string(boundary_rule_text(model.boundary_counts)) + "', " + file +
-                         " was labelled by '" + std::string(boundary_rule_text(boundary_counts)) +
-                         "'; label it " + (model.boundary_counts ? "with" : "without") +
-                         " --boundary-counts");
+void check_boundary_weight(const Model& model, std::optional<double> boundary_weight,
+                           const std::string& file) {
+    if (boundary_weight && model.boundary_weight != *boundary_weight)
+        throw InputError(model_name(model) + " was trained with boundary weight " +
+                         rounded_text(model.boundary_weight, 6) + ", " + file +
+                         " was labelled with " + rounded_text(*boundary_weight, 6) +
+                         "; label it with --boundary-weight " + number_text(model.boundary_weight));
 }
 
 std::string outside_trained_range(const Model& model, const std::vector<ModelUse>& uses) {

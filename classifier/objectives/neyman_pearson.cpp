@@ -61,7 +61,7 @@ std::vector<Point> surface_points(const Plane& plane) {
     std::vector<Point> points;
     for (const LabelledState& state : plane.states)
         for (std::size_t i = 0; i < state.size(); ++i)
-            if (plane.is_surface(state, i) && !state.is_alone(i))
+            if (plane.is_surface(state, i) && state.concerns_line(i))
                 points.push_back(plane.point(state, i));
     if (points.empty())
         throw InputError("no surface particle has neighbors, so nothing holds the line; give other "
@@ -183,7 +183,7 @@ Sweep collect_events(const Plane& plane, const std::vector<std::int64_t>& weight
     for (std::size_t s = 0; s < plane.states.size(); ++s) {
         const LabelledState& state = plane.states[s];
         for (std::size_t i = 0; i < state.size(); ++i) {
-            if (plane.is_surface(state, i) || state.is_alone(i))
+            if (plane.is_surface(state, i) || !state.concerns_line(i))
                 continue;
             const SlopeInterval interval = told_apart(plane, hull, plane.point(state, i));
             if (interval.begin >= interval.end)

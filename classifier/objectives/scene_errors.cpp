@@ -12,7 +12,8 @@ std::vector<SceneErrors> count_errors(const std::vector<LabelledState>& states, 
         scene.scene = state.scene;
         for (std::size_t i = 0; i < state.size(); ++i)
             scene.add(state.uncovered_fraction[i], label_threshold,
-                      state.is_alone(i) || predicts_surface(line, state.x(i), state.y(i)));
+                      state.is_candidate(i) &&
+                          (state.is_alone(i) || predicts_surface(line, state.x(i), state.y(i))));
     }
     return scenes;
 }

@@ -22,7 +22,7 @@ double min_d(const std::vector<LabelledState>& states, double label_threshold, d
     double height = -std::numeric_limits<double>::infinity();
     for (const LabelledState& state : states)
         for (std::size_t i = 0; i < state.size(); ++i)
-            if (state.uncovered_fraction[i] > label_threshold && !state.is_alone(i))
+            if (state.uncovered_fraction[i] > label_threshold && state.concerns_line(i))
                 height = std::max(height, side * (state.y(i) - k * state.x(i)));
     if (std::isinf(height))
         throw InputError("no surface particle has neighbors (uncovered fraction above " +

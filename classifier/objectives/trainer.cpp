@@ -1,5 +1,6 @@
 #include "trainer.hpp"
 
+#include "neyman_pearson.hpp"
 #include "objectives.hpp"
 #include "scene_errors.hpp"
 #include "shift.hpp"
@@ -75,10 +76,13 @@ void check_training(const std::vector<LabelledState>& states, const TrainingOpti
                              names_of(options.keep_k->features));
         check_dimension(*options.keep_k, states.front().dimension, states.front().file);
         check_radius_ratio(*options.keep_k, states.front().radius_ratio, states.front().file);
-        check_boundary_rule(*options.keep_k, states.front().boundary_counts, states.front().file);
-        if ((options.keep_k->reference_neighbor_count > 0) != states.front().relative)
-            throw InputError("one of the line to keep and the states has relative counts, the "
-                             "other has not");
+        for (const LabelledState& state : states)
+            check_boundary_weight(*options.keep_k, state.boundary_weight, state.file);
+        if (options.keep_k->reference_spacing_ratio != reference_spacing_ratio)
+            throw InputError("the line to keep takes counts as they are, and lines are trained on "
+                             "counts at a support radius of " +
+                             number_text(reference_spacing_ratio) +
+                             " spacings; keep one that was trained so");
     }
     check_classes(states, options.label_threshold);
 }
@@ -90,17 +94,43 @@ Line trained_line(const std::vector<LabelledState>& states, const TrainingOption
     return objective_named(options.objective).fit(states, options.label_threshold, options.seed);
 }
 
+void set_errors(Model& model, const std::vector<SceneErrors>& scenes) {
+    model.false_negatives = model.false_positives = 0;
+    for (const SceneErrors& scene : scenes) {
+        model.false_negatives += scene.false_negatives;
+        model.false_positives += scene.false_positives;
+    }
+}
+
 void describe_training_set(const std::vector<LabelledState>& states, Model& model) {
     for (const LabelledState& state : states) {
         model.training_files.push_back({state.file, state.hash, state.scene, state.size(),
                                         surface_particles(state, model.label_threshold)});
-        widen(model.spacing_ratio, spacing_ratio(state));
+        widen(model.spacing_ratio, state.spacing_ratio);
         widen(model.bulk_neighbor_count, bulk_neighbor_count(state));
     }
-    for (const SceneErrors& scene : count_errors(states, model.line, model.label_threshold)) {
-        model.false_negatives += scene.false_negatives;
-        model.false_positives += scene.false_positives;
-    }
+    set_errors(model, count_errors(states, model.line, model.label_threshold));
+}
+
+/// Notes which particles of a state the model's line lets through.
+void mark_candidates(const Model& model, const LabelledState& first, LabelledState& second) {
+    if (first.uncovered_fraction != second.uncovered_fraction)
+        throw InputError(first.file + " and " + second.file +
+                         " are not the same state, so a second line cannot follow the first");
+    second.candidate.resize(first.size());
+    for (std::size_t i = 0; i < first.size(); ++i)
+        second.candidate[i] = static_cast<std::uint8_t>(
+            first.is_alone(i) || predicts_surface(model.line, first.x(i), first.y(i)));
+}
+
+/// The same for all, which must be the same ones.
+void mark_candidates(const Model& model, const std::vector<LabelledState>& first,
+                     std::vector<LabelledState>& second) {
+    if (first.size() != second.size())
+        throw InputError("the second line has " + std::to_string(second.size()) +
+                         " states, the first " + std::to_string(first.size()));
+    for (std::size_t s = 0; s < first.size(); ++s)
+        mark_candidates(model, first[s], second[s]);
 }
 
 } // namespace
@@ -112,13 +142,36 @@ Model train(const std::vector<LabelledState>& states, const TrainingOptions& opt
     model.features = states.front().features;
     model.dimension = states.front().dimension;
     model.radius_ratio = states.front().radius_ratio;
-    model.boundary_counts = states.front().boundary_counts;
-    model.reference_neighbor_count = states.front().relative ? reference_neighbor_count : 0;
+    model.boundary_weight = common_boundary_weight(states);
+    model.reference_spacing_ratio = reference_spacing_ratio;
     model.label_threshold = options.label_threshold;
     model.objective = options.keep_k ? "keep-k" : options.objective;
     model.d_margin = d_margin(model.line.k, model.features);
     describe_training_set(states, model);
     return model;
+}
+
+std::vector<SceneErrors> add_second_line(Model& model, const std::vector<LabelledState>& first,
+                                         std::vector<LabelledState> second) {
+    if (!is_of_paper(model.features))
+        throw InputError("a second line follows a first one of " + names_of(FeaturePair{}) +
+                         "; leave --features out");
+    mark_candidates(model, first, second);
+    SecondModelLine line;
+    line.features = second.front().features;
+    line.line = min_false_positives(second, model.label_threshold);
+    line.d_margin = d_margin(line.line.k, line.features);
+    model.second = line;
+    const auto errors = count_errors(second, line.line, model.label_threshold);
+    set_errors(model, errors);
+    return errors;
+}
+
+std::vector<SceneErrors> count_errors_of_both(const Model& model,
+                                              const std::vector<LabelledState>& first,
+                                              std::vector<LabelledState> second) {
+    mark_candidates(model, first, second);
+    return count_errors(second, model.second.value().line, model.label_threshold);
 }
 
 } // namespace meniscus

@@ -7,6 +7,8 @@
 // constrain it.
 #pragma once
 
+#include "scene_errors.hpp"
+
 #include <meniscus/classifier/model/model.hpp>
 #include <meniscus/classifier/training_set/labelled_state.hpp>
 
@@ -29,5 +31,19 @@ struct TrainingOptions {
 /// option is out of range, or where the objective is not for their features; FailureError where
 /// libtorch is needed and not there, or where its fit finds no line.
 Model train(const std::vector<LabelledState>& states, const TrainingOptions& options);
+
+/// Adds a second line for what the model's first lets through, of the features of `second`: the
+/// states that the first was trained on, in their order, with other features. It has the fewest
+/// false positives of all that miss none of the surface (neyman_pearson.hpp); errors are counted
+/// anew, and returned. Throws InputError where the model's line is not in the paper's plane, or
+/// where the states are not the same.
+std::vector<SceneErrors> add_second_line(Model& model, const std::vector<LabelledState>& first,
+                                         std::vector<LabelledState> second);
+
+/// The errors of a model of two lines on states of the features of its first and, in the same
+/// order, of its second. Throws InputError where they are not the same states.
+std::vector<SceneErrors> count_errors_of_both(const Model& model,
+                                              const std::vector<LabelledState>& first,
+                                              std::vector<LabelledState> second);
 
 } // namespace meniscus

@@ -1,8 +1,8 @@
 #include "labelled_state.hpp"
 
 #include <meniscus/data/formats/snapshot_files.hpp>
-#include <meniscus/data/particles/boundary_rule.hpp>
 #include <meniscus/data/particles/feature_names.hpp>
+#include <meniscus/data/particles/particle_volumes.hpp>
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/files.hpp>
 #include <meniscus/data/text/text.hpp>
@@ -52,16 +52,19 @@ std::vector<double> checked_values(const Snapshot& snapshot, const std::string& 
     return values;
 }
 
-/// Whole numbers, unless radii vary: each neighbor then counts up to 2^3 (scaled_features.hpp).
-std::vector<double> neighbor_counts(const Snapshot& snapshot, bool boundary_counts, bool radii_vary,
-                                    const std::vector<double>& valid, const std::string& file) {
-    const std::size_t particles =
-        snapshot.size() + (boundary_counts ? snapshot.boundary.size() : 0);
-    const double max = std::min<double>(static_cast<double>(particles) * (radii_vary ? 8 : 1),
-                                        std::numeric_limits<std::uint32_t>::max());
+/// Whole numbers, unless radii vary, where each neighbor counts up to 2^3 (scaled_features.hpp), or
+/// a boundary counts, of which a particle may stand for many.
+std::vector<double> neighbor_counts(const Snapshot& snapshot, double boundary_weight,
+                                    bool radii_vary, const std::vector<double>& valid,
+                                    const std::string& file) {
+    const bool walls_count = boundary_weight > 0 && !snapshot.boundary.empty();
+    const bool whole = !radii_vary && !walls_count;
+    constexpr double most = std::numeric_limits<std::uint32_t>::max();
+    const double particles = static_cast<double>(snapshot.size()) * (radii_vary ? 8 : 1);
+    const double max = walls_count ? most : std::min(particles, most);
     auto counts = checked_values(snapshot, "neighbor_count", valid, max, file);
     for (const double count : counts)
-        if (!radii_vary && count != std::trunc(count))
+        if (whole && count != std::trunc(count))
             throw InputError(file + ": 'neighbor_count' has the value " + number_text(count) +
                              ", expected whole numbers; label the snapshot again");
     return counts;
@@ -103,16 +106,15 @@ double labelled_radius_ratio(const Snapshot& snapshot, const std::string& file) 
     return *ratio;
 }
 
-bool labelled_boundary_rule(const Snapshot& snapshot, const std::string& file) {
-    const auto entry = snapshot.provenance.find("boundary_rule");
+double labelled_boundary_weight(const Snapshot& snapshot, const std::string& file) {
+    const auto entry = snapshot.provenance.find("boundary_weight");
     if (entry == snapshot.provenance.end())
-        return false;
-    const auto counts = boundary_counts_from(entry->second);
-    if (!counts)
-        throw InputError(file + ": 'boundary_rule' in its provenance is '" + entry->second +
-                         "', expected '" + std::string(boundary_counts_text) + "' or '" +
-                         std::string(boundary_ignored_text) + "'; label the snapshot again");
-    return *counts;
+        not_labelled(file, "'boundary_weight' in its provenance");
+    const auto weight = number_from_text(entry->second);
+    if (!weight || !(*weight >= 0 && *weight <= 10))
+        throw InputError(file + ": 'boundary_weight' in its provenance is '" + entry->second +
+                         "', expected a number from 0 to 10; label the snapshot again");
+    return *weight;
 }
 
 /// Nothing where each particle has its own.
@@ -139,20 +141,26 @@ LabelledState labelled_state(const Snapshot& snapshot, const std::filesystem::pa
     const auto valid = label_array(snapshot, "valid", file.string());
     state.uncovered_fraction =
         checked_values(snapshot, "uncovered_fraction", valid, 1, file.string());
-    state.boundary_counts = labelled_boundary_rule(snapshot, file.string());
+    state.radius_ratio = labelled_radius_ratio(snapshot, file.string());
+    const double boundary_weight = labelled_boundary_weight(snapshot, file.string());
+    if (!snapshot.boundary.empty())
+        state.boundary_weight = boundary_weight;
     state.support_radius = checked_support_radius(snapshot, file.string());
-    state.neighbor_count = neighbor_counts(snapshot, state.boundary_counts, !state.support_radius,
-                                           valid, file.string());
+    state.neighbor_count =
+        neighbor_counts(snapshot, boundary_weight, !state.support_radius, valid, file.string());
     const std::size_t count = FeaturePair{}.second;
     state.first = features.first == count
                       ? state.neighbor_count
                       : feature_values(snapshot, features.first, valid, file.string());
     if (features.second != count)
         state.second = feature_values(snapshot, features.second, valid, file.string());
-    state.radius_ratio = labelled_radius_ratio(snapshot, file.string());
-    if (snapshot.particle_spacing && *snapshot.particle_spacing > 0 &&
-        std::isfinite(*snapshot.particle_spacing))
-        state.particle_spacing = snapshot.particle_spacing;
+    if (!state.support_radius)
+        return state;
+    if (!snapshot.particle_volume)
+        not_labelled(file.string(), "particle_volume");
+    state.spacing_ratio =
+        *state.support_radius / std::pow(*snapshot.particle_volume, 1.0 / state.dimension);
+    state.count_scale = std::pow(reference_spacing_ratio / *state.spacing_ratio, state.dimension);
     return state;
 }
 
@@ -165,35 +173,18 @@ LabelledState read_labelled_state(const std::filesystem::path& file, const std::
     return state;
 }
 
-std::optional<double> spacing_ratio(const LabelledState& state) {
-    if (!state.particle_spacing || !state.support_radius)
-        return {};
-    return *state.support_radius / *state.particle_spacing;
-}
-
-void make_relative(LabelledState& state) {
-    if (!is_of_paper(state.features))
-        throw InputError(state.file + ": counts can be relative in lines of the features " +
-                         names_of({}) + ", not in lines of " + names_of(state.features));
-    const int median = median_neighbor_count(state.neighbor_count.data(), state.size());
-    if (median == 0)
-        throw InputError(state.file + ": half of the particles have no neighbors, so counts cannot "
-                                      "be relative to their median; is the support radius right?");
-    state.count_scale = reference_neighbor_count / median;
-    state.relative = true;
-}
-
 std::optional<double> bulk_neighbor_count(const LabelledState& state) {
     std::vector<double> counts;
     for (std::size_t i = 0; i < state.size(); ++i)
         if (state.uncovered_fraction[i] == 0)
-            counts.push_back(state.neighbor_count[i]);
+            counts.push_back(state.count_scale * state.neighbor_count[i]);
     if (counts.empty())
         return {};
     return median_neighbor_count(counts.data(), counts.size());
 }
 
 void check_same_kind(const std::vector<LabelledState>& states) {
+    common_boundary_weight(states);
     for (const LabelledState& state : states) {
         const LabelledState& first = states.front();
         if (state.dimension != first.dimension)
@@ -209,16 +200,23 @@ void check_same_kind(const std::vector<LabelledState>& states) {
                              number_text(first.radius_ratio) + " and " + state.file + " with " +
                              number_text(state.radius_ratio) +
                              "; label them with the same --radius-ratio");
-        if (state.boundary_counts != first.boundary_counts)
-            throw InputError(first.file + " was labelled by the rule '" +
-                             std::string(boundary_rule_text(first.boundary_counts)) + "' and " +
-                             state.file + " by '" +
-                             std::string(boundary_rule_text(state.boundary_counts)) +
-                             "'; label both with --boundary-counts or both without");
-        if (state.relative != first.relative)
-            throw InputError("counts are relative in one of " + first.file + " and " + state.file +
-                             " and not in the other");
     }
+}
+
+double common_boundary_weight(const std::vector<LabelledState>& states) {
+    const LabelledState* first = nullptr;
+    for (const LabelledState& state : states) {
+        if (!state.boundary_weight)
+            continue;
+        if (first == nullptr)
+            first = &state;
+        if (*state.boundary_weight != *first->boundary_weight)
+            throw InputError(first->file + " was labelled with boundary weight " +
+                             rounded_text(*first->boundary_weight, 6) + " and " + state.file +
+                             " with " + rounded_text(*state.boundary_weight, 6) +
+                             "; label them with the same --boundary-weight");
+    }
+    return first != nullptr ? *first->boundary_weight : default_boundary_weight;
 }
 
 SceneGroups group_by_scene(const std::vector<LabelledState>& states) {

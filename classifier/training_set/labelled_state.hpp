@@ -19,45 +19,53 @@ struct LabelledState {
     std::string hash;  ///< SHA-256 of the file; empty for a state that was not read from one
     std::string scene; ///< scene_of() unless overridden
     int dimension = 3;
-    std::optional<double> support_radius;   ///< h in m; nothing where each particle has its own
-    double radius_ratio = 0;                ///< r2 / r1 that it was labelled with
-    bool boundary_counts = false;           ///< boundary particles are neighbors in the features
-    std::optional<double> particle_spacing; ///< initial distance of particles in m
-    FeaturePair features;                   ///< x and y
+    std::optional<double> support_radius; ///< h in m; nothing where each particle has its own
+    double radius_ratio = 0;              ///< r2 / r1 that it was labelled with
+    /// Share of its volume that a boundary particle counts for; nothing where there is none.
+    std::optional<double> boundary_weight;
+    std::optional<double> spacing_ratio; ///< of support radius and rest spacing
+    FeaturePair features;                ///< x and y
     // One entry a valid particle, in the file's order:
     std::vector<double> first;              ///< feature x
     std::vector<double> second;             ///< feature y; empty where that is the neighbor count
-    std::vector<double> neighbor_count;     ///< before scaling; whole for one radius
+    std::vector<double> neighbor_count;     ///< before scaling; whole for one radius, no boundary
     std::vector<double> uncovered_fraction; ///< lambda
-    bool relative = false;                  ///< make_relative was called
-    double count_scale = 1;                 ///< set by it
+    /// Whether a first line lets the particle through, where this state is for a second one, which
+    /// the others do not concern; empty: all.
+    std::vector<std::uint8_t> candidate;
+    /// What features that grow as counts do are multiplied by: they are taken for a support radius
+    /// of reference_spacing_ratio spacings. 1 where radii vary.
+    double count_scale = 1;
 
     [[nodiscard]] std::size_t size() const { return first.size(); }
     /// Both features of an entry.
-    [[nodiscard]] double x(std::size_t i) const { return first[i]; }
+    [[nodiscard]] double x(std::size_t i) const { return scale_of(features.first) * first[i]; }
     [[nodiscard]] double y(std::size_t i) const {
-        return second.empty() ? count_scale * neighbor_count[i] : second[i];
+        return scale_of(features.second) * (second.empty() ? neighbor_count[i] : second[i]);
     }
-    /// No particle without a counted neighbor constrains a line: it is surface in any case.
+    [[nodiscard]] double scale_of(std::size_t feature) const {
+        return feature_list[feature].is_fraction ? 1 : count_scale;
+    }
+    /// Without a counted neighbor a particle is surface in any case.
     [[nodiscard]] bool is_alone(std::size_t i) const { return neighbor_count[i] == 0; }
+    [[nodiscard]] bool is_candidate(std::size_t i) const {
+        return candidate.empty() || candidate[i] != 0;
+    }
+    /// Whether a line decides on the particle.
+    [[nodiscard]] bool concerns_line(std::size_t i) const {
+        return !is_alone(i) && is_candidate(i);
+    }
 };
 
-/// The median neighbor count that relative counts are scaled to, so that lines for them have
-/// coefficients of the usual size.
-inline constexpr double reference_neighbor_count = 40;
-
-/// Scales the counts so that their median over all particles is reference_neighbor_count: a line
-/// trained on such states follows a fluid that is compressed (runtime/features/classifier.hpp).
-/// Throws InputError, naming the file, where half of the particles have no neighbors or where the
-/// features are not the paper's pair.
-void make_relative(LabelledState& state);
+/// Lines are trained on features as they are at this support radius over particle spacing, so that
+/// one line serves all masses and, within bounds, all radii.
+inline constexpr double reference_spacing_ratio = 2;
 
 /// Takes the state out of a labelled snapshot, with two features that are stored in it; `file` is
 /// for its name and for messages, nothing is read from it. Throws InputError, naming the file and
 /// what is missing, where it was not labelled
 /// (`meniscus label` adds the arrays), where an array has a value that is not finite or out of
-/// range, or where its provenance has no such radius ratio or boundary rule. Boundary particles do
-/// not count where the provenance has no boundary rule.
+/// range, or where its provenance has no such radius ratio or boundary weight.
 LabelledState labelled_state(const Snapshot& snapshot, const std::filesystem::path& file,
                              const FeaturePair& features = {});
 
@@ -66,17 +74,17 @@ LabelledState labelled_state(const Snapshot& snapshot, const std::filesystem::pa
 LabelledState read_labelled_state(const std::filesystem::path& file, const std::string& scene,
                                   const FeaturePair& features = {});
 
-/// Support radius in particle spacings; nothing where the file does not say the spacing, or where
-/// each particle has a radius of its own.
-std::optional<double> spacing_ratio(const LabelledState& state);
-
-/// Neighbor count typical of the bulk: the median over particles with lambda = 0; nothing where
-/// there are none.
+/// Neighbor count typical of the bulk, at reference_spacing_ratio: the median over particles with
+/// lambda = 0; nothing where there are none.
 std::optional<double> bulk_neighbor_count(const LabelledState& state);
 
+/// The weight of boundary particles in the features of those states that have some; the default
+/// where none has. Throws InputError, naming both files, where they differ.
+double common_boundary_weight(const std::vector<LabelledState>& states);
+
 /// Throws InputError, naming both files, where states differ in dimension, in features, in radius
-/// ratio, in whether boundary particles count or in being relative: one line cannot be trained or
-/// judged on them together.
+/// ratio or in the weight of boundary particles: one line cannot be trained or judged on them
+/// together.
 void check_same_kind(const std::vector<LabelledState>& states);
 
 /// Which states belong to which scene.

@@ -111,16 +111,17 @@ std::optional<double> read_field(const Hdf5Source& source, const std::string& na
     return values[0];
 }
 
-std::optional<double> read_length(const Hdf5Source& source, const std::string& name) {
-    const std::optional<double> length = read_field(source, name);
-    if (length && *length <= 0)
-        fail(source, "/VTKHDF/FieldData/" + name, "a positive length in m", number_text(*length));
-    return length;
+std::optional<double> read_positive(const Hdf5Source& source, const std::string& name) {
+    const std::optional<double> value = read_field(source, name);
+    if (value && *value <= 0)
+        fail(source, "/VTKHDF/FieldData/" + name, "a positive number", number_text(*value));
+    return value;
 }
 
 void read_field_data(const Hdf5Source& source, Snapshot& snapshot) {
-    snapshot.support_radius = read_length(source, "support_radius");
-    snapshot.particle_spacing = read_length(source, "particle_spacing");
+    snapshot.support_radius = read_positive(source, "support_radius");
+    snapshot.particle_spacing = read_positive(source, "particle_spacing");
+    snapshot.particle_volume = read_positive(source, "particle_volume");
     snapshot.time = read_field(source, "time");
     const int suggested = dimension_of(snapshot.positions);
     const double dimension = read_field(source, "dimension").value_or(suggested);

@@ -148,6 +148,7 @@ void write_field_data(hid_t parent, const Snapshot& snapshot) {
     const std::pair<const char*, std::optional<double>> fields[] = {
         {"support_radius", snapshot.support_radius},
         {"particle_spacing", snapshot.particle_spacing},
+        {"particle_volume", snapshot.particle_volume},
         {"time", snapshot.time}};
     for (const auto& [name, value] : fields)
         if (value)
@@ -224,9 +225,10 @@ void check_consistent(const Snapshot& snapshot) {
                           count == snapshot.size() * static_cast<std::size_t>(array.components),
                       "point data '" + array.name + "' does not have the particles' length");
     }
-    for (const auto& length : {snapshot.support_radius, snapshot.particle_spacing}) {
+    for (const auto& length :
+         {snapshot.support_radius, snapshot.particle_spacing, snapshot.particle_volume}) {
         refuse_unless(!length || (std::isfinite(*length) && *length > 0),
-                      "support radius and particle spacing must be positive and finite");
+                      "support radius, particle spacing and volume must be positive and finite");
     }
     refuse_unless(!snapshot.time || std::isfinite(*snapshot.time), "time must be finite");
     refuse_unless(snapshot.dimension == 2 || snapshot.dimension == 3, "dimension must be 2 or 3");

@@ -184,6 +184,7 @@ void carry(Pipe& pipe, Snapshot& snapshot) {
     pipe.number(snapshot.dimension);
     carry_optional(pipe, snapshot.support_radius);
     carry_optional(pipe, snapshot.particle_spacing);
+    carry_optional(pipe, snapshot.particle_volume);
     carry_optional(pipe, snapshot.time);
     pipe.text(snapshot.scene);
     std::vector<std::pair<std::string, std::string>> texts(snapshot.provenance.begin(),

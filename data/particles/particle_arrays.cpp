@@ -119,17 +119,6 @@ std::vector<double> checked_masses(const Snapshot& snapshot,
     return masses;
 }
 
-double mean_mass(const std::vector<double>& masses, const std::vector<std::uint8_t>& valid) {
-    double sum = 0;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < masses.size(); ++i)
-        if (valid[i] != 0) {
-            sum += masses[i];
-            ++count;
-        }
-    return count == 0 ? 1 : sum / static_cast<double>(count);
-}
-
 void check_boundary(const Snapshot& snapshot) {
     for (std::size_t i = 0; i < snapshot.boundary.size(); ++i) {
         const auto& position = snapshot.boundary[i];

@@ -36,10 +36,6 @@ SupportRadii support_radii(const Snapshot& snapshot);
 std::vector<double> checked_masses(const Snapshot& snapshot,
                                    const std::vector<std::uint8_t>& valid);
 
-/// The mean mass in kg of the valid particles, which boundary particles have where they count in
-/// the features; 1 where `masses` is empty, as all masses then are, or where no particle is valid.
-double mean_mass(const std::vector<double>& masses, const std::vector<std::uint8_t>& valid);
-
 /// Throws InputError, naming the index, where a boundary particle's position is not finite or, in
 /// two dimensions, not in the fluid's plane.
 void check_boundary(const Snapshot& snapshot);

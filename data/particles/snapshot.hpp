@@ -44,6 +44,7 @@ struct Snapshot {
     Positions boundary; ///< wall particles of the state; empty where none are known
     std::optional<double> support_radius;   ///< kernel radius h in m
     std::optional<double> particle_spacing; ///< initial distance of particles in m
+    std::optional<double> particle_volume;  ///< of a particle at rest, m^3 (in 2D m^2)
     std::optional<double> time;             ///< simulated time in s
     std::string scene;                      ///< empty when none is stored
     /// What made the data, as text by name (group `/meniscus` of the file). Never a date, a host,

@@ -2,159 +2,273 @@
 // The line that tells surface particles from others: surface where y <= k x + d, with the
 // mass offset x and the neighbor count y. Written by `meniscus export`; do not edit.
 //
-// Trained by neyman-pearson; neighbors: same phase only; boundary particles do not count.
-// On its training files it has 0 false negatives and 102269 false positives:
+// Trained by neyman-pearson; neighbors: same phase only; boundary particles count by 0.85 of their volume.
+// On its training files it has 0 false negatives and 28340 false positives:
 //   boxhole_dfsph_04.vtkhdf, scene SurfaceTension_BoxHole_ZR2020: 11616 particles, 2545 surface
-//     sha256 88dad6a2af49e72ca7b4a6ab92831d6a66efd884485edfe3322910c674875a81
+//     sha256 1903056b5eff21776fda724b2ec9888a19c11fee0c13d88c47db97ec8db477a6
 //   boxhole_dfsph_18.vtkhdf, scene SurfaceTension_BoxHole_ZR2020: 11616 particles, 3210 surface
-//     sha256 306532064595c3beb4d1634d9f3e5a2229454572ec012f74d9bf63e5868fa8cc
+//     sha256 c51638432564254cbe8b6ec0816cb11660833957b059290a022bd161847636d9
 //   crown_dfsph_02.vtkhdf, scene SurfaceTension_Crown_ZR2020: 61992 particles, 8567 surface
-//     sha256 fa7f0ed4a821854251fa84485dd2bc11dfcb1508cb32148c736a950f01e0cb6e
+//     sha256 bc2cb47544c50dfb2171c961c35a0e3139d4e037c152528d5424d4c943473353
 //   crown_dfsph_15.vtkhdf, scene SurfaceTension_Crown_ZR2020: 61992 particles, 11070 surface
-//     sha256 3bc29c1fcb7e5667d94e22c8e3a510afcdaccb206bc9a240b1ac7e2330d885e7
+//     sha256 305537a56f7c2695268a421d5fae397fe85eb91f866b088adbc1f47fc40145d5
 //   cube_iisph_05.vtkhdf, scene SurfaceTension_NoGravCube_ZR2020: 10648 particles, 2689 surface
-//     sha256 3a243a39a6f4e56c648eb2cad97322a730479f9df7f337ce8af18b9d2043fe22
+//     sha256 1822864927f0003f935d6b62ba438e55419b51eebad13600bbb58f232ffefcc7
 //   dam_dfsph_01.vtkhdf, scene SurfaceTension_BreakDamZR2020: 26136 particles, 5136 surface
-//     sha256 4061a239939c323ee1040045fab3c96c5ea9e401c9dc4e906aab7d8e2aba06b7
+//     sha256 b6bd2a39d433086e4706eaf243f1e65950d5cef48f27b438c8002ed327f9cb05
 //   dam_dfsph_04.vtkhdf, scene SurfaceTension_BreakDamZR2020: 26136 particles, 4868 surface
-//     sha256 80c7a2cf5d45f32e03844c8f897968c7644d4d95d3d1bbde5d0cec7726c18647
+//     sha256 9570b06c7b77e94f2753ceae5980b93e9aa08ba4cc60d1cebfa804ff7c1f930e
 //   dam_dfsph_08.vtkhdf, scene SurfaceTension_BreakDamZR2020: 26136 particles, 6127 surface
-//     sha256 93ba9c4713188a47e717efd3aacc9fb24abd81f3e66bd681a1c885294a2d4ab9
+//     sha256 41ba357bce46497a8c3a56140b01321df7f1487def5ac03afd7b3fa45cb51789
 //   dam_dfsph_14.vtkhdf, scene SurfaceTension_BreakDamZR2020: 26136 particles, 6595 surface
-//     sha256 6b491735932c687ea48707864705f2d681d977a934cacdad6812ac7a97964769
+//     sha256 c2aee66fe8ae34c21192010ba3f510d082aaa753adddd5dfbd8fac2f5c5b1fac
 //   droplet_iisph_01.vtkhdf, scene SurfaceTension_DoubleDroplet_ZR2020: 8192 particles, 2704 surface
-//     sha256 de464399e1c0197987b1ecd2f27b80e8bbf3df6d1d94d82a590c0c437214b162
+//     sha256 438fdcbda5f05b7bf569c91433da9227d407c41767c1c63245fa4823993ff14f
 //   droplet_iisph_04.vtkhdf, scene SurfaceTension_DoubleDroplet_ZR2020: 8192 particles, 2704 surface
-//     sha256 26c39b74b27b63f97406234ca4c579dc7233c49212552dbdc1d46489b2261bb3
+//     sha256 cfb19e73bab20d5c844a2b845fe8dae473e1a92ae53bf357b98668f06c20b738
 //   droplet_iisph_06.vtkhdf, scene SurfaceTension_DoubleDroplet_ZR2020: 8192 particles, 2701 surface
-//     sha256 5e763d0820557e2efebffd21ee496f8b847b0972db99500d6fbbf39ef65cc731
+//     sha256 e06ba80018e5e02f97e3e65999b5f8228b5c5383400415d46627dbfd032c739d
 //   droplet_iisph_14.vtkhdf, scene SurfaceTension_DoubleDroplet_ZR2020: 8192 particles, 2610 surface
-//     sha256 fd6704ffb9c62ed88017e2355c83a1df564b9cf4fdd979a5fa4941b66378b24f
+//     sha256 5986cccc057085554748e69039e4de164201f888b09efcb30a64e9ab6e4aabd4
 //   snake_dfsph_05.vtkhdf, scene SurfaceTension_SnakeTestZR2020: 6076 particles, 3026 surface
-//     sha256 e32353f47ae34a2b368ffc384421b35e3c9cd44bfe8e1ab5bbf7e037c39b0279
+//     sha256 4e78a4baf192aa5a8267b9903703b78fe6faee39cef35f3b054366de1c42220a
 //   crown_dfsph_0000.vtkhdf, scene crown_splash: 7751 particles, 755 surface
-//     sha256 44d1a93bf483d2bc1c9d40688041af439fbece080cefbaed222979d2682fa7d5
-//   crown_dfsph_0001.vtkhdf, scene crown_splash: 7751 particles, 694 surface
-//     sha256 74763727ff2acfd9f0dd19c4c1f6bfb08363ccbcbc52b45257f11a77c6455663
-//   crown_dfsph_0002.vtkhdf, scene crown_splash: 7751 particles, 771 surface
-//     sha256 ba627325f2c16d81c5a462c3f308f7d5bb43ad4f3e3836bea12fa64018efe9c8
-//   crown_dfsph_0003.vtkhdf, scene crown_splash: 7751 particles, 672 surface
-//     sha256 218c6e03810d7355678170b0ccd775c61b181f147fe4631fe98e25dc3068a93c
-//   crown_dfsph_0004.vtkhdf, scene crown_splash: 7751 particles, 781 surface
-//     sha256 e6c156e6f24988ef8e5a4b86ff91ff8327e11eda566eec70e55245d3155302f4
+//     sha256 09d83cfc939b7e2357aed17e9735aa9e828dfbc4aa905e26909beb659f0b090e
+//   crown_dfsph_0001.vtkhdf, scene crown_splash: 7751 particles, 673 surface
+//     sha256 3677b231b420f80c60c02f90327cca72019b031cc34acab15fdcd6a3900a6cd5
+//   crown_dfsph_0002.vtkhdf, scene crown_splash: 7751 particles, 694 surface
+//     sha256 f5c00bc44c850c6eb12b1ea3730302136fd82707bf5b95cf2ca7bac5c1bae52a
+//   crown_dfsph_0003.vtkhdf, scene crown_splash: 7751 particles, 762 surface
+//     sha256 8ba5d0bb105235c1b84bb18df5eba9b692c3d93b887c2423709c8458bac32ef6
+//   crown_dfsph_0004.vtkhdf, scene crown_splash: 7751 particles, 773 surface
+//     sha256 70bc9c77f394e6fbcefa00dda1e0b15fa9a33b6185058c42d8e3f7e62f241896
+//   crown_dfsph_0005.vtkhdf, scene crown_splash: 7751 particles, 627 surface
+//     sha256 1fe95bfdb550445fc2836c67c7f18dae903364792c61cceca2a3a58cc8b0a978
+//   crown_dfsph_0006.vtkhdf, scene crown_splash: 7751 particles, 672 surface
+//     sha256 c7e7bfa83e86dd4e468e289fd1c698e97c9da619254a093d072cdd169f508463
+//   crown_dfsph_0007.vtkhdf, scene crown_splash: 7751 particles, 764 surface
+//     sha256 e7aa40b7f266a035191b1a60bb6b9a3e86087b0fe73db89285132ff4c4a917fd
+//   crown_dfsph_0008.vtkhdf, scene crown_splash: 7751 particles, 779 surface
+//     sha256 af2a01679519e2a7243991509f13882b10ad336675c302f34902e5ded6e38cc8
 //   crown_iisph_0000.vtkhdf, scene crown_splash: 7751 particles, 755 surface
-//     sha256 7607c3847b31cd90887851a533d245586f353c912e62dfe10a1d1af622b533aa
+//     sha256 457f35f7a16a809515cf9d0f87e2ca48a9eda3ec7552c3a7357bec31744730a6
 //   crown_iisph_0001.vtkhdf, scene crown_splash: 7751 particles, 606 surface
-//     sha256 aba087c046430a93373e9f816333b848ece439f2f504a354c87a44f9c04101f8
+//     sha256 e8176fca1f7a5083402a12f9c2df3d1e273e40ac80dba82f6b0a37802874efe0
 //   crown_iisph_0002.vtkhdf, scene crown_splash: 7751 particles, 784 surface
-//     sha256 a39e3d1d3e9862c99d64f57aa887754a99bd2ac43c4c54e959e0e4f173bdb7f2
+//     sha256 86cb654a5fe21c59fcf0daee8705ca819b5e9efd7745be95e61bc7a233fc1ecc
 //   dam_dfsph_0000.vtkhdf, scene dam_break: 3146 particles, 370 surface
-//     sha256 b6a498eebe5df59d41f7fd413b514284766e97224f451949456ef73802e76ad4
-//   dam_dfsph_0001.vtkhdf, scene dam_break: 3146 particles, 370 surface
-//     sha256 b4fce7c2fe53c074428e0fdccdc8bf501f79a7d67d237851c61e9ff960c11f85
-//   dam_dfsph_0002.vtkhdf, scene dam_break: 3146 particles, 472 surface
-//     sha256 25bd281b32b254fd05a4370822b91cc8b68de6099efe995fb4622fe983a62179
-//   dam_dfsph_0003.vtkhdf, scene dam_break: 3146 particles, 588 surface
-//     sha256 46b1721cc11aac19e9e73493e300015df6b98fa0ede31dcf4a1e33e189521a9f
-//   dam_dfsph_0004.vtkhdf, scene dam_break: 3146 particles, 556 surface
-//     sha256 724fce35e2f6de73a951f4c7843358ed5b857d5304be996c5e4c02abcef3afc2
+//     sha256 87f3afc819f58b2bee792a1a01ab9862ea9e3e74d9ce63d45f8bbb95d4603a9d
+//   dam_dfsph_0001.vtkhdf, scene dam_break: 3146 particles, 372 surface
+//     sha256 db39562c9fa683939549b06f82b3c948e00f2f4316ba96452e20c147364cb5e8
+//   dam_dfsph_0002.vtkhdf, scene dam_break: 3146 particles, 370 surface
+//     sha256 12ceb0ec16ea62aa6aabd5e4a38d89c941a4c45bf443b35c2be4c52b954c24d7
+//   dam_dfsph_0003.vtkhdf, scene dam_break: 3146 particles, 351 surface
+//     sha256 adf4e6063c9be5fdebd19d21c4ecd5a3804a86fa11ed277aca47f0773ea66b98
+//   dam_dfsph_0004.vtkhdf, scene dam_break: 3146 particles, 468 surface
+//     sha256 c47093acf47413e2b755d6bc4b600b58892216408d4729581699dcbfd81c88ae
+//   dam_dfsph_0005.vtkhdf, scene dam_break: 3146 particles, 552 surface
+//     sha256 215775128561522761a08056fcc4f3bccda8604e5d4f01475e81dd132c19ae53
+//   dam_dfsph_0006.vtkhdf, scene dam_break: 3146 particles, 606 surface
+//     sha256 741be6e7ab3228cc691ddcb758b5333fb8e3c09757bfac44fc24dee123726999
+//   dam_dfsph_0007.vtkhdf, scene dam_break: 3146 particles, 589 surface
+//     sha256 99e32740a86c8afa50ec652fded92d6d7968c3368ebfca2d3ff07225e0c952a4
+//   dam_dfsph_0008.vtkhdf, scene dam_break: 3146 particles, 546 surface
+//     sha256 9301194852d81c2c8f849b713b118b68d5afc9060d66532b5b069e8a0317144b
+//   dam_iisph_0000.vtkhdf, scene dam_break: 3146 particles, 370 surface
+//     sha256 029d00a2d5ad77e92a070bd8db3cf8c7910ff6628550276fe7855375686f59ef
+//   dam_iisph_0001.vtkhdf, scene dam_break: 3146 particles, 372 surface
+//     sha256 ccf114ce5872ec1b21e23fbeafa3e049a95077d847edba64f193797579e050f4
+//   dam_iisph_0002.vtkhdf, scene dam_break: 3146 particles, 372 surface
+//     sha256 4d04851b2b7123c1333f4149f7fab87b5db49fdc90ff35344f7bee030f17f700
+//   dam_iisph_0003.vtkhdf, scene dam_break: 3146 particles, 364 surface
+//     sha256 bf2527b51246aa7e365015e457a790e69782a025ecc992e2f7cbe7aa8ba0c148
+//   dam_iisph_0004.vtkhdf, scene dam_break: 3146 particles, 316 surface
+//     sha256 946bb88c3e768dc9fef98446ab31a30f3ad82b61591e760fb7e99b13af6f9a48
+//   dam_iisph_0005.vtkhdf, scene dam_break: 3146 particles, 354 surface
+//     sha256 782d81f2975792b3f53d5272b6a05035915386789080a931b4e207920cbbf928
+//   dam_iisph_0006.vtkhdf, scene dam_break: 3146 particles, 406 surface
+//     sha256 78b4501d86c03be4364193c4b4aee21fa2c9d37871e8fe021f82b58dc124472d
+//   dam_iisph_0007.vtkhdf, scene dam_break: 3146 particles, 462 surface
+//     sha256 fa9d5fe3c5cf7ac1a3d311438ba28e6d683b12e9c697dcdb026b6ff74a1de12e
+//   dam_iisph_0008.vtkhdf, scene dam_break: 3146 particles, 497 surface
+//     sha256 ac9bbba3dd45b2a4e08f712389e7b295f8fc0d6670be48da01d1fce27d79ab56
+//   dam_iisph_0009.vtkhdf, scene dam_break: 3146 particles, 512 surface
+//     sha256 c2fc7467e7863089b8abea76118e9417f18b5dc2e4c599c70d00c58626be887e
+//   dam_iisph_0010.vtkhdf, scene dam_break: 3146 particles, 507 surface
+//     sha256 35326f33fe4a3c0db23edf2843678288ab4aed6a0f6c6d9268fa312b0afed8f6
+//   dam_iisph_0011.vtkhdf, scene dam_break: 3146 particles, 503 surface
+//     sha256 6da8231e029341b823d812ba6404e4ff9bfd92ac5837b5d834c9ae81722a2cd8
+//   dam_iisph_0012.vtkhdf, scene dam_break: 3146 particles, 461 surface
+//     sha256 ec982d70ae1791a8f227cead967fd349add98c1b973a5dd964f9ec7e40917d77
 //   dam_wcsph_0000.vtkhdf, scene dam_break: 3146 particles, 370 surface
-//     sha256 df40822d2ca7217446bfff0234c0b1c6a7cb5ab2c581d5fa8d5dccc5b55596e5
+//     sha256 0c53074ada3fb5cf89b8dd1aecc30eb6150f81aaa42cc4e7d050e01bd51d61c9
 //   dam_wcsph_0001.vtkhdf, scene dam_break: 3146 particles, 345 surface
-//     sha256 02fd977ac138e75a2928bfd9041642431291dd35a2200dda0516e465f8e9ba38
+//     sha256 12bbab60252fe139cc372f8980da0d387bee93cf2d249dbfd9df66574f1ee36f
 //   dam_wcsph_0002.vtkhdf, scene dam_break: 3146 particles, 448 surface
-//     sha256 197fe8f77bd4db30b58527e80ce43304569cc9c1b710998a94054ddd64841982
+//     sha256 27b276eaf78433f73cb41dfbb5ba5118b9f9a65ce513044175d7dce25493c898
+//   double_dam_dfsph_0000.vtkhdf, scene double_dam_break: 3960 particles, 586 surface
+//     sha256 f294069c6f0fd002264a18f719a968881af1f016adfc79e22fe9a2a1a3f0f8ce
+//   double_dam_dfsph_0001.vtkhdf, scene double_dam_break: 3960 particles, 590 surface
+//     sha256 a610bbf69e8b47c39a6503490ab1277bf765c52ac85506145dbc6cb9d7cd8b54
+//   double_dam_dfsph_0002.vtkhdf, scene double_dam_break: 3960 particles, 590 surface
+//     sha256 067296a7967432b68d48491358862869e023e4db2cefdebdf8fe54f43c327013
+//   double_dam_dfsph_0003.vtkhdf, scene double_dam_break: 3960 particles, 509 surface
+//     sha256 1f72ffa796b91bed4f286ee2636a8b8c46a58fb9b9079f2cf3886c6da35554ba
+//   double_dam_dfsph_0004.vtkhdf, scene double_dam_break: 3960 particles, 436 surface
+//     sha256 559108714bc3c18d47336a8f103565e76468d9052224a4035b557cf665f18fb8
+//   double_dam_dfsph_0005.vtkhdf, scene double_dam_break: 3960 particles, 614 surface
+//     sha256 290cf05085548e8d1e7f42a6230d1c800cb9a9132cfbf0ade82d1268bfe0170b
+//   double_dam_dfsph_0006.vtkhdf, scene double_dam_break: 3960 particles, 642 surface
+//     sha256 6ffeffad6d254814d0f5a0ece3b20a3975b1e78cf2ef72f9adee24afb58ac089
+//   double_dam_dfsph_0007.vtkhdf, scene double_dam_break: 3960 particles, 702 surface
+//     sha256 b16f0d4d9c8841188bc4a385bee71923d443d8033205624cfa347099ee1881ec
+//   double_dam_dfsph_0008.vtkhdf, scene double_dam_break: 3960 particles, 775 surface
+//     sha256 e435db100bc6df2d37403e04f5a04eaf0604428d190a2653803c392af4727c77
+//   double_dam_dfsph_0009.vtkhdf, scene double_dam_break: 3960 particles, 755 surface
+//     sha256 20f61f72bb94f302e7997b987ff6f68bf343ae1846aeb81d57abc1fe5fbf99b0
+//   double_dam_dfsph_0010.vtkhdf, scene double_dam_break: 3960 particles, 708 surface
+//     sha256 3045ec698517b2648e13ef9ad56cf897940be367ef05dc7f74b9e352f1309032
+//   double_dam_dfsph_0011.vtkhdf, scene double_dam_break: 3960 particles, 596 surface
+//     sha256 50b124aca3ed8a8590e096dcbb4b43a8477cb4dae06e4bd67cd03a8fe0a0f353
+//   double_dam_dfsph_0012.vtkhdf, scene double_dam_break: 3960 particles, 477 surface
+//     sha256 75c2c064e774f672df4fc2817dfcdd247f12efccf0700922d5d30d7f1a5bdca0
 //   double_dam_pcisph_0000.vtkhdf, scene double_dam_break: 3960 particles, 586 surface
-//     sha256 926dbce71db53f6df12c01147202d41206ff0a6b7b88f5f01d01ead95443ed92
-//   double_dam_pcisph_0001.vtkhdf, scene double_dam_break: 3960 particles, 430 surface
-//     sha256 24959b16cf94161fc1aec4c1c1464a446e286736684c3a91f93700dc528bcb76
-//   double_dam_pcisph_0002.vtkhdf, scene double_dam_break: 3960 particles, 737 surface
-//     sha256 32e482c822ec0fab604afc15176bbfe329739d4349f23518dd398f9fcc7a410e
-//   double_dam_pcisph_0003.vtkhdf, scene double_dam_break: 3960 particles, 495 surface
-//     sha256 a6725701316aa0f0585305a3c75d6c342c76536a786f739d47d9562ad11c1c92
+//     sha256 35b724da1eeb6a5a8fa00ce8b462c7e5d52b1056d96880faf3284c33c83c1b8c
+//   double_dam_pcisph_0001.vtkhdf, scene double_dam_break: 3960 particles, 590 surface
+//     sha256 705ef01861edf3c39a0896b4d360f31585c00a93c94b4c86ac982e1379a66f05
+//   double_dam_pcisph_0002.vtkhdf, scene double_dam_break: 3960 particles, 430 surface
+//     sha256 53184173544ac542bfc8b934f90138fdcfbc538d9b75c3cfc1224c2d0c865fc5
+//   double_dam_pcisph_0003.vtkhdf, scene double_dam_break: 3960 particles, 656 surface
+//     sha256 121cd7615cc4b9b7f815e46c74aa2804a3d1c6ed334c67790c5fdb74292b2d4f
+//   double_dam_pcisph_0004.vtkhdf, scene double_dam_break: 3960 particles, 741 surface
+//     sha256 bb9f982a024e73174a99d7f07170b2597b5472befedd7f02d9e459e4629f22f8
+//   double_dam_pcisph_0005.vtkhdf, scene double_dam_break: 3960 particles, 705 surface
+//     sha256 84a091e8e492109dc7a31ed9527da632053fd8167e5f22985ff29dd6b7aad5f9
+//   double_dam_pcisph_0006.vtkhdf, scene double_dam_break: 3960 particles, 493 surface
+//     sha256 46264a50fbaf3afa91add6a86a01307ff461acec157919d445d94a6c899ad156
 //   droplet_iisph_0000.vtkhdf, scene double_droplet: 3456 particles, 1256 surface
-//     sha256 629a7cc98076523c22aad80940c08456e16e4282f94362a9370932540fe1d5ed
-//   droplet_iisph_0001.vtkhdf, scene double_droplet: 3456 particles, 1380 surface
-//     sha256 99e26d2a64315e94a4833799f14205eb6db819ba274c738d259a488575493009
-//   droplet_iisph_0002.vtkhdf, scene double_droplet: 3456 particles, 1343 surface
-//     sha256 69f62a69088d4f2ad6ccee2a45cfa016997539c06572bde2f9bf5fc8cf921229
+//     sha256 3879c1114f870ab3169bc3824bb02a8627a6150e1b7167c919c5af5f17e7811d
+//   droplet_iisph_0001.vtkhdf, scene double_droplet: 3456 particles, 1381 surface
+//     sha256 c5d68d55bbb5c05beeda2dbbf12a828c21c04f8b4abde65f2fddeba04669f721
+//   droplet_iisph_0002.vtkhdf, scene double_droplet: 3456 particles, 1354 surface
+//     sha256 87d4c8395e02af478dda406ceb4a6386065c1adab17be1827431eb48fd895cb8
 //   droplet_iisph_0003.vtkhdf, scene double_droplet: 3456 particles, 1324 surface
-//     sha256 8a9a58802b9d6d4b2fab0770c3a1671d354b9385923e9a7de653a0677fa53d81
-//   droplet_iisph_0004.vtkhdf, scene double_droplet: 3456 particles, 1326 surface
-//     sha256 603e15e95d43e01a3438951ee2eea1b5830d1c9ee2611cc01867a594b1c08d7f
+//     sha256 f21f2242f26bdd07529e09732c1f928cd0f4c8442a2ac83db9dc142627aa9a9f
+//   droplet_iisph_0004.vtkhdf, scene double_droplet: 3456 particles, 1323 surface
+//     sha256 c1913c12631848d121711e9cac4b5624c166fa4b9538530b00cd831015202468
 //   formation_dfsph_0000.vtkhdf, scene drop_formation: 4096 particles, 1352 surface
-//     sha256 33893b0c36eea5a403c736e0caa5ebe01d7dd603109fa4e3d5c4b69bd39db87f
+//     sha256 e15cfa1de14ecacf9966569771470e4818bda885026bf4115b3b3b1af54fc084
 //   formation_dfsph_0001.vtkhdf, scene drop_formation: 4096 particles, 1375 surface
-//     sha256 3a0281232cba4af5373a73440003b8e1186bb17ad6bf9cd1253d5a5fae6ec7ce
+//     sha256 01590b5112e832dd7cd5db2231bfd3fe25da31e0b93139fc4c808c2aea3e8b0a
 //   formation_dfsph_0002.vtkhdf, scene drop_formation: 4096 particles, 1379 surface
-//     sha256 379d6c8a7852f8fe307006bf9e38fc1b10c47ba0db409ee26487a600d896f5c0
+//     sha256 c41d3424e46f57e5cc9cbde538abe745517aa8f1e2a64e438f348bdf432b6e3e
 //   formation_dfsph_0003.vtkhdf, scene drop_formation: 4096 particles, 1379 surface
-//     sha256 acf9a950532f4bad179f2177a546ecaef74ed9f8e6f087e6617d1bdf2a325e89
+//     sha256 80e54d4eb694c56bdc91f5c2f682191342899956aba770946bb7a5759458d195
 //   glass_dfsph_0000.vtkhdf, scene water_glass: 4608 particles, 1518 surface
-//     sha256 c14ce5ff8f75b81bc404903418127d1c25cc3e27e1ccfd893de2b751e5fdd06c
-//   glass_dfsph_0001.vtkhdf, scene water_glass: 4608 particles, 766 surface
-//     sha256 4480d6b989ce52f56c2f1af11e63a6a552d92b99eced10e4b29481c615e37f0b
-//   glass_dfsph_0002.vtkhdf, scene water_glass: 4608 particles, 1605 surface
-//     sha256 5292f81e2c30aece81f40c49b4fe866b4c08838e3892e191790eea3bb22f3227
-//   glass_dfsph_0003.vtkhdf, scene water_glass: 4608 particles, 2048 surface
-//     sha256 6dfd3a32f335e63c07411d0ca2fc3f690f3e3ebf11c78c1213bed263dd3a0fcd
-//   glass_dfsph_0004.vtkhdf, scene water_glass: 4608 particles, 2514 surface
-//     sha256 4f48bf8883bc031addc7abd0142aeb68965274366162bab6d47c123748e61ebf
+//     sha256 63cef591cfbfed7dd789ecef7ceb01629dc347f1e421c955c6da05208bee1a7e
+//   glass_dfsph_0001.vtkhdf, scene water_glass: 4608 particles, 1071 surface
+//     sha256 ebf6923699a661e57d09b7f5c0188f6a09e3e74c778b885349a7020a76522fd5
+//   glass_dfsph_0002.vtkhdf, scene water_glass: 4608 particles, 762 surface
+//     sha256 0dec110912cb29653aef180111d350c35b297c0eeb757bc31098d7b121c66dd6
+//   glass_dfsph_0003.vtkhdf, scene water_glass: 4608 particles, 1235 surface
+//     sha256 8a150c35e3da897dec503422e0e137bdfc1c47efff48c2fb636c53f414520dd5
+//   glass_dfsph_0004.vtkhdf, scene water_glass: 4608 particles, 1615 surface
+//     sha256 5c89d36e95c3c6e7ab91b45dfdb070139f0c7e9fd6eb5e6c450f866645e77396
+//   glass_dfsph_0005.vtkhdf, scene water_glass: 4608 particles, 1873 surface
+//     sha256 18bccf2150bc0c90a3ef1458e8bbc3ecaeb0bf7f6dbfea6accd863965ec41609
+//   glass_dfsph_0006.vtkhdf, scene water_glass: 4608 particles, 2057 surface
+//     sha256 22bc789c9fea14983970bf36fd91762a711624418fe26c69c33bf251fbbb8af2
+//   glass_dfsph_0007.vtkhdf, scene water_glass: 4608 particles, 2267 surface
+//     sha256 30b649a3fd46e7a076730b81936eaa52447bfe6666e4459cd4d00a7157b2bd54
+//   glass_dfsph_0008.vtkhdf, scene water_glass: 4608 particles, 2527 surface
+//     sha256 d21152d01616aa513dcef3738556037f7ebe777d226388429fcfad36efc077ae
+//   glass_dfsph_0009.vtkhdf, scene water_glass: 4608 particles, 2622 surface
+//     sha256 223b439c2f5d55c4b33fa5e9eb18a7bffd6ee9d4b9ecb8dacb640ac784ad73e6
+//   glass_dfsph_0010.vtkhdf, scene water_glass: 4608 particles, 2678 surface
+//     sha256 79a7dbe51444e4ab477da6d333d5f1a2e7b5aec2f7e8ef237894533ad156e5b7
 //   hole_dfsph_0000.vtkhdf, scene box_with_hole: 3136 particles, 200 surface
-//     sha256 aff50c928e67a6cfa63d8c615d52f16b8cfa8bbf3edf2bef453f9870aaaee1da
-//   hole_dfsph_0001.vtkhdf, scene box_with_hole: 3136 particles, 455 surface
-//     sha256 c6d66368c7f762b4f762753a27cddcff45dcbd94410b9b00430b82f718f21f84
-//   hole_dfsph_0002.vtkhdf, scene box_with_hole: 3136 particles, 709 surface
-//     sha256 9703ee6dc9e4f894174c552331caee3a5ba06bb413e59c91075e6406e51f071c
-//   hole_dfsph_0003.vtkhdf, scene box_with_hole: 3136 particles, 899 surface
-//     sha256 19eefac7b4f28a108e06833226daef6ad0dabe3e638446cc6c817652ecd30d9f
+//     sha256 44a347d851d74cf5009a1bdb1991656df1da9a1945b429309bbc5823e46adb52
+//   hole_dfsph_0001.vtkhdf, scene box_with_hole: 3136 particles, 456 surface
+//     sha256 4b715154ddf9eb0dc32cb6802448ca7beddbc317bbc68c064e5a9b036bfc75f2
+//   hole_dfsph_0002.vtkhdf, scene box_with_hole: 3136 particles, 715 surface
+//     sha256 ccfc3eb0ff694fe2d8ea51486dd276600314a66a945a703187accbb3ccd2fe67
+//   hole_dfsph_0003.vtkhdf, scene box_with_hole: 3136 particles, 903 surface
+//     sha256 46e11a932edcbacdb1a615190199dfae0eb1ffed9379dd3e7f7361c59da4533d
 //   obstacle_dfsph_0000.vtkhdf, scene dam_break_with_obstacle: 3146 particles, 370 surface
-//     sha256 cb457b5a95e2f1526ed400516cbb4430feb599315bb6fa0ad50a37cc8b47bdee
-//   obstacle_dfsph_0001.vtkhdf, scene dam_break_with_obstacle: 3146 particles, 349 surface
-//     sha256 7b291b1ffc2802271080dcce505b630787b05fe65975bc9d23074b720ae293fa
-//   obstacle_dfsph_0002.vtkhdf, scene dam_break_with_obstacle: 3146 particles, 768 surface
-//     sha256 dab6a9fc099c86f19c0700f1f08ec010d57fdd5a5f402f6799475ebdc634354b
-//   obstacle_dfsph_0003.vtkhdf, scene dam_break_with_obstacle: 3146 particles, 540 surface
-//     sha256 c421c6e43e4e6021c0ff268b5fd7aed464b2613eafbd6b0e778a50f9cb24a9a9
+//     sha256 92b00366315b19cbdc9a4a83bc68ede0c9c779bad40c34cead88f55de3de2ddd
+//   obstacle_dfsph_0001.vtkhdf, scene dam_break_with_obstacle: 3146 particles, 372 surface
+//     sha256 038b84b0a13358a590cb0ddb6b6733eaa4d9bfcee5c3b0660e05db56b0d13b81
+//   obstacle_dfsph_0002.vtkhdf, scene dam_break_with_obstacle: 3146 particles, 349 surface
+//     sha256 cfbb879287bb468f52805acaba6fe2bff533595f1e3f332db58e82c44fb42c34
+//   obstacle_dfsph_0003.vtkhdf, scene dam_break_with_obstacle: 3146 particles, 579 surface
+//     sha256 4be719c8db8e4f3d49c72d9c4a84594ba9a0da324c7576da1d57285215fb1824
+//   obstacle_dfsph_0004.vtkhdf, scene dam_break_with_obstacle: 3146 particles, 768 surface
+//     sha256 6645a0d4e372dd6e09f1fa9fd53fdc6c02aa7f31a5b369b028deceef331500d4
+//   obstacle_dfsph_0005.vtkhdf, scene dam_break_with_obstacle: 3146 particles, 730 surface
+//     sha256 da82c32f4cf808e6b9c99fe97fb4e9302048f3b0eb59417928846499a321525c
+//   obstacle_dfsph_0006.vtkhdf, scene dam_break_with_obstacle: 3146 particles, 539 surface
+//     sha256 556f432b4b74e781439f3669595d6af2ef3f7d4503de50cedea63797b7eb6367
 //   sphere_dfsph_0000.vtkhdf, scene fluid_over_sphere: 5120 particles, 1592 surface
-//     sha256 7d9265c1dd26abbdbeb8cdc46c3b23c685b5f200508fd01150c76fd2b95c42d3
-//   sphere_dfsph_0001.vtkhdf, scene fluid_over_sphere: 5120 particles, 1532 surface
-//     sha256 f2c3af9b2f759c5aef0cb9e39cf331eaf6f8ecd61fe865389793ab01b123e39a
-//   sphere_dfsph_0002.vtkhdf, scene fluid_over_sphere: 5120 particles, 3371 surface
-//     sha256 d4d749c39d335f51a03d5ca32cabacab7da0ba27e9e72bc7f5f197acf70ef867
-//   sphere_dfsph_0003.vtkhdf, scene fluid_over_sphere: 5120 particles, 3051 surface
-//     sha256 8650e275e603a52457001892e6a82fa1eee6769d761412839ad0d89dce4bee39
+//     sha256 bedc8096c1267e4baaaace3695ba66d4902a4cc81ae1e92c736d85ef4001f86f
+//   sphere_dfsph_0001.vtkhdf, scene fluid_over_sphere: 5120 particles, 1592 surface
+//     sha256 d76a5b0073c13533a0dd54963672601a0b6476011b657d458264d62c328b3a9b
+//   sphere_dfsph_0002.vtkhdf, scene fluid_over_sphere: 5120 particles, 1532 surface
+//     sha256 58fa440a9ade8842e8c2256a604071496fee963f39812679f54c29b422c206ef
+//   sphere_dfsph_0003.vtkhdf, scene fluid_over_sphere: 5120 particles, 2151 surface
+//     sha256 937d8e4a57e2c3793f1ac00cb7b41e5a72f605ca1d7b1ed4254ad2f628df2f4d
+//   sphere_dfsph_0004.vtkhdf, scene fluid_over_sphere: 5120 particles, 3384 surface
+//     sha256 91b4e61b86f657ca2f7bf2207a582a702ca557ae8833319ec3cbd050c88667f6
+//   sphere_dfsph_0005.vtkhdf, scene fluid_over_sphere: 5120 particles, 2600 surface
+//     sha256 66be4d99bbdce38514c07e59cd10def12c74f67c0b456e46aba181600e870273
+//   sphere_dfsph_0006.vtkhdf, scene fluid_over_sphere: 5120 particles, 3029 surface
+//     sha256 81ed4ae2e9492492618aaa64129be12edb621fd5c44e6d046e50111fad5cd2b7
 //   tank_dfsph_0000.vtkhdf, scene resting_tank: 2560 particles, 252 surface
-//     sha256 8ec6eaf6ea9a7aead07aaeb5767762dc153441fc05c8638409b1e029a15a6fd5
+//     sha256 27f1c899b07b8698870b992bd75604cbaa951aa943ef393e4cd5a8918e0eee34
 //   tank_dfsph_0001.vtkhdf, scene resting_tank: 2560 particles, 268 surface
-//     sha256 bc7f0342781e91a2c7c024d0c90444629fea7cbec10e1f6a9e71934ee4177ebe
+//     sha256 0b569fa6f17436dc8f8011d09af84655c3e98734577d664df28c0deb6621df62
 //   tank_dfsph_0002.vtkhdf, scene resting_tank: 2560 particles, 284 surface
-//     sha256 670efdc4b232a1fb649d9cc5104d9aeaae461e69e0c476b73f62fada85c83c51
-#ifndef MENISCUS_COEFFICIENTS_D4300B583FBC3D81
-#define MENISCUS_COEFFICIENTS_D4300B583FBC3D81
+//     sha256 17d720fe1ac6301561f5cfad4898d63096a4a9c75710abf28b39989b15dbb60e
+#ifndef MENISCUS_COEFFICIENTS_2A2BCFE2B0272766
+#define MENISCUS_COEFFICIENTS_2A2BCFE2B0272766
 
 namespace meniscus {
 
 struct Surface3D {
     /// Slope, in neighbors per unit of mass offset
-    static constexpr double k = 116.70585542106969;
-    /// Neighbors, 0.000834 of them for rounding
-    static constexpr double d = 25.969491900681017;
+    static constexpr double k = 63.52229673996089;
+    /// Neighbors, 0.000568 of them for rounding
+    static constexpr double d = 25.993010353977066;
     static constexpr int dimension = 3;
     /// r2 / r1 of the labels; neighbors closer than r1 - r2 do not count
     static constexpr double radius_ratio = 0.8;
-    /// 0: neighbor counts are taken as they are
-    static constexpr double reference_neighbor_count = 0.0;
+    /// The lines follow support radius over rest spacing; k and d are for this
+    static constexpr double reference_spacing_ratio = 2.0;
+    /// Share of its volume that a boundary particle counts for; 0: it only covers
+    static constexpr double boundary_weight = 0.85;
     /// Surface means an uncovered fraction above this
     static constexpr double label_threshold = 0.02;
     /// Least typical neighbor count inside seen in training
-    static constexpr double min_bulk_neighbor_count = 24.0;
+    static constexpr double min_bulk_neighbor_count = 20.0;
     /// Largest typical neighbor count inside seen in training
-    static constexpr double max_bulk_neighbor_count = 43.0;
+    static constexpr double max_bulk_neighbor_count = 36.0;
     /// Least support radius over particle spacing seen in training
-    static constexpr double min_spacing_ratio = 2.0;
+    static constexpr double min_spacing_ratio = 1.9999999999999996;
     /// Largest support radius over particle spacing seen in training
-    static constexpr double max_spacing_ratio = 2.0;
+    static constexpr double max_spacing_ratio = 2.15524994853508;
+    /// For the candidates that the first lets through, in other features
+    struct SecondLine {
+        /// x and y
+        static constexpr const char* features[] = {"mass_offset", "direction_eigenvalue"};
+        /// Whether surface lies above the line, else below
+        static constexpr bool surface_above = false;
+        /// Slope
+        static constexpr double k = 27.31421432349586;
+        /// Constant, 0.000337 of it for rounding
+        static constexpr double d = 4.700538626344329;
+        static constexpr int dimension = 3;
+        /// As of the first
+        static constexpr double radius_ratio = 0.8;
+    };
 };
 
 } // namespace meniscus

@@ -6,14 +6,17 @@
 //
 // Either fuse it into the density loop (FeatureSum::add for each neighbor, is_surface at the end)
 // or run classify() over a neighborhood view. A coefficient header of other features than these two
-// names them, and classify() adds those up (line_features.hpp).
+// names them, and classify() adds those up (line_features.hpp). A header may have a second line
+// for what the first lets through, and may ask that boundary particles count
+// (neighbors/boundary.hpp): classify() follows it.
 //
-// A fluid that is compressed has more neighbors everywhere: about 26 on the lattice that a scene
-// starts from, 40 in developed flow. A line for counts as they are pays for that range in false
-// positives. A *relative* line is trained on counts measured by the state's median; the host
-// passes the median of its last step, and the line follows the fluid.
+// Counts grow with the support radius. The lines of a header that says for which ratio of support
+// radius and particle spacing it has its numbers (reference_spacing_ratio) follow the host's; the
+// spacing is that of particles at rest, the cube root (in 2D the square root) of m / rho_0.
 #pragma once
 
+#include "../neighbors/boundary.hpp"
+#include "classifier_options.hpp"
 #include "features.hpp"
 #include "line_features.hpp"
 #include "scaled_features.hpp"
@@ -30,35 +33,24 @@ struct SurfaceLine {
     Real d;
 };
 
-/// The line of an exported coefficient struct (see coefficients/surface_3d.hpp for one) whose
-/// counts are as they are. Refuses a relative line at compile time.
+/// The line of an exported coefficient struct (see coefficients/surface_3d.hpp for one) for a
+/// support radius of so many particle spacings, which plays no part where the struct's counts are
+/// taken as they are.
 template <class Coefficients, class Real>
-constexpr SurfaceLine<Real> surface_line() {
+constexpr SurfaceLine<Real> surface_line(double spacing_ratio) {
     static_assert(has_features_of_paper<Coefficients>,
                   "this line is in other features than mass_offset and neighbor_count: give the "
                   "coefficients to classify(), or add up a LineSum of them");
-    static_assert(Coefficients::reference_neighbor_count == 0,
-                  "this line is relative: call surface_line(median neighbor count)");
-    return {static_cast<Real>(Coefficients::k), static_cast<Real>(Coefficients::d)};
+    const double scale = count_scale<Coefficients>(spacing_ratio);
+    return {static_cast<Real>(Coefficients::k * scale), static_cast<Real>(Coefficients::d * scale)};
 }
 
-/// The line y = k x + d for a state whose median neighbor count is `median_count`, from one for a
-/// median of `reference_count`.
-template <class Real>
-constexpr SurfaceLine<Real> scaled_line(double k, double d, double median_count,
-                                        double reference_count) {
-    const double scale = median_count / reference_count;
-    return {static_cast<Real>(k * scale), static_cast<Real>(d * scale)};
-}
-
-/// The line of a relative coefficient struct for a state of that median neighbor count (see
-/// median_neighbor_count; the one of the last step will do, since it changes slowly).
+/// The same where the counts are taken as they are; refuses others at compile time.
 template <class Coefficients, class Real>
-constexpr SurfaceLine<Real> surface_line(double median_count) {
-    static_assert(Coefficients::reference_neighbor_count > 0,
-                  "this line is not relative: call surface_line() without a count");
-    return scaled_line<Real>(Coefficients::k, Coefficients::d, median_count,
-                             Coefficients::reference_neighbor_count);
+constexpr SurfaceLine<Real> surface_line() {
+    static_assert(home_spacing_ratio<Coefficients> == 0,
+                  "this line follows the support radius over particle spacing: give it");
+    return surface_line<Coefficients, Real>(1);
 }
 
 /// The median of `size` neighbor counts (feature y of all particles): the smallest count that at
@@ -119,22 +111,6 @@ std::size_t classify(const View& view, std::size_t begin, std::size_t end, Real 
     return found;
 }
 
-/// The same with features, line and radius ratio of an exported coefficient struct. Refuses
-/// coefficients of another dimension at compile time.
-template <class Coefficients, class Real, int Dimension, class View>
-std::size_t classify(const View& view, std::size_t begin, std::size_t end, Real support_radius,
-                     std::uint8_t* surface) {
-    static_assert(Coefficients::dimension == Dimension,
-                  "these coefficients were trained in another dimension");
-    if constexpr (has_features_of_paper<Coefficients>)
-        return classify<Real, Dimension>(
-            view, begin, end, support_radius, surface_line<Coefficients, Real>(),
-            neighbor_range<Real>(support_radius, Coefficients::radius_ratio), surface);
-    else
-        return classify_by_features<Coefficients, Real, Dimension>(
-            view, begin, end, UniformRadius<Real>{support_radius}, surface);
-}
-
 /// Classifies particles of which each has its own support radius (scaled_features.hpp), which every
 /// j that the view delivers must have. A line that was trained on states of one radius each holds
 /// for them too.
@@ -152,19 +128,80 @@ std::size_t classify(const View& view, std::size_t begin, std::size_t end,
     return found;
 }
 
-/// The same with features, line and radius ratio of an exported coefficient struct.
-template <class Coefficients, class Real, int Dimension, class View>
-std::size_t classify(const View& view, std::size_t begin, std::size_t end,
-                     const VaryingRadii<Real>& radii, std::uint8_t* surface) {
+/// Whether particle i is surface by a first line.
+template <class Real, int Dimension, class View, class Boundary>
+bool is_surface_by_first_line(const View& view, const Boundary& boundary, std::size_t i,
+                              const UniformRadius<Real>& radii, const NeighborRange<Real>& range,
+                              const SurfaceLine<Real>& line) {
+    const auto sum = sum_features<Real, Dimension>(view, i, range);
+    if constexpr (Boundary::is_there)
+        return is_surface(with_boundary(sum, boundary, i, range), line, radii.radius);
+    else
+        return is_surface(sum, line, radii.radius);
+}
+
+template <class Real, int Dimension, class View, class Boundary>
+bool is_surface_by_first_line(const View& view, const Boundary& boundary, std::size_t i,
+                              const VaryingRadii<Real>& radii, const NeighborRange<Real>& range,
+                              const SurfaceLine<Real>& line) {
+    auto sum = sum_features<Real, Dimension>(view, i, radii, range);
+    add_scaled_boundary(boundary, i, radii, range, sum);
+    return is_surface(sum, line, Real(1));
+}
+
+/// Classifies with features, lines, boundary weight and radius ratio of an exported coefficient
+/// struct, over UniformRadius or VaryingRadii, for a support radius of `spacing_ratio` particle
+/// spacings. `boundary` is a BoundaryView, or NoBoundary where there is none; it plays no part
+/// where the coefficients were trained without. Refuses coefficients of another dimension at
+/// compile time.
+template <class Coefficients, class Real, int Dimension, class View, class Boundary, class Radii>
+std::size_t classify(const View& view, const Boundary& boundary, std::size_t begin, std::size_t end,
+                     const Radii& radii, double spacing_ratio, std::uint8_t* surface) {
     static_assert(Coefficients::dimension == Dimension,
                   "these coefficients were trained in another dimension");
-    if constexpr (has_features_of_paper<Coefficients>)
-        return classify<Real, Dimension>(view, begin, end, radii,
-                                         surface_line<Coefficients, Real>(),
-                                         Coefficients::radius_ratio, surface);
-    else
-        return classify_by_features<Coefficients, Real, Dimension>(view, begin, end, radii,
-                                                                   surface);
+    constexpr auto share = static_cast<Real>(boundary_weight<Coefficients>);
+    if constexpr (Boundary::is_there && share == 0) {
+        return classify<Coefficients, Real, Dimension>(view, NoBoundary{}, begin, end, radii,
+                                                       spacing_ratio, surface);
+    } else if constexpr (!has_features_of_paper<Coefficients>) {
+        return classify_by_features<Coefficients, Real, Dimension>(
+            view, times_weight(boundary, share), begin, end, radii, spacing_ratio, surface);
+    } else {
+        const auto weighted = times_weight(boundary, share);
+        const auto range = range_of(radii, Coefficients::radius_ratio);
+        const auto line = surface_line<Coefficients, Real>(spacing_ratio);
+        std::size_t found = 0;
+        for (std::size_t i = begin; i < end; ++i) {
+            bool stays =
+                is_surface_by_first_line<Real, Dimension>(view, weighted, i, radii, range, line);
+            if constexpr (has_second_line<Coefficients>)
+                stays =
+                    stays &&
+                    is_surface_by_features<typename Coefficients::SecondLine, Real, Dimension>(
+                        view, weighted, i, radii, range, count_scale<Coefficients>(spacing_ratio));
+            surface[i] = static_cast<std::uint8_t>(stays);
+            found += surface[i];
+        }
+        return found;
+    }
+}
+
+/// The same without a boundary, by lines that take counts as they are; `radii` may be the support
+/// radius of all in m, too.
+template <class Coefficients, class Real, int Dimension, class View>
+std::size_t classify(const View& view, std::size_t begin, std::size_t end, Real support_radius,
+                     std::uint8_t* surface) {
+    return classify<Coefficients, Real, Dimension>(view, begin, end,
+                                                   UniformRadius<Real>{support_radius}, surface);
+}
+template <class Coefficients, class Real, int Dimension, class View, class Radii,
+          bool = Radii::varies>
+std::size_t classify(const View& view, std::size_t begin, std::size_t end, const Radii& radii,
+                     std::uint8_t* surface) {
+    static_assert(home_spacing_ratio<Coefficients> == 0,
+                  "these lines follow the support radius over particle spacing: give it");
+    return classify<Coefficients, Real, Dimension>(view, NoBoundary{}, begin, end, radii, 1.0,
+                                                   surface);
 }
 
 } // namespace MENISCUS_INSTRUCTION_SET

@@ -4,9 +4,12 @@
 //     name, meaning       for files, options and tables
 //     float_error         bound of what float adds to its value
 //     is_fraction         whether it lies between 0 and 1 by itself
-//     is_over_kernel      whether it is a sum over a kernel, h^D over the volume of a particle
-//     inside terms<Dimension>    how many sums it needs add(neighbor, sums) what a neighbor adds to
-//     them value(sums)         its value, without unit
+//     is_over_kernel      whether it is a sum over a kernel: h^D over a particle's volume inside
+//     is_eigenvalue       whether it is the smallest eigenvalue of the matrix of its sums
+//     terms<Dimension>    how many sums it needs
+//     add(neighbor, sums) what a neighbor adds to them
+//     value(sums)         its value, without unit
+//
 // All are sums over the neighbors that NeighborRange lets count, independent of their order, of
 // units and of rotations. Where radii vary, means weigh by mass and sums by the neighbor's own
 // size, which is what either half of a fluid of two resolutions then agrees on.

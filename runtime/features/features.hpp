@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace meniscus {
 inline namespace MENISCUS_INSTRUCTION_SET {
@@ -55,6 +56,27 @@ struct FeatureSum {
         ++count;
     }
 
+    /// Adds a boundary particle that stands for `weight` fluid particles (neighbors/boundary.hpp),
+    /// each with the mean mass of the fluid neighbors, which come first. Counts are real then.
+    template <class Vector>
+    void add_boundary(const Vector& displacement, Real distance_squared, Real weight,
+                      const NeighborRange<Real>& range) {
+        static_assert(!std::is_integral_v<Count>, "boundary particles count by their volume: use "
+                                                  "FeatureSum<Real, Dimension, Real>");
+        if (!range.contains(distance_squared))
+            return;
+        const Real boundary_mass = weight * mean_mass();
+        for (std::size_t axis = 0; axis < Dimension; ++axis)
+            moment[axis] += boundary_mass * displacement[axis];
+        mass = mass == 0 ? 0 : mass + boundary_mass;
+        count += weight;
+    }
+
+    /// Of the neighbors so far, boundary included; 1 where all masses are.
+    [[nodiscard]] Real mean_mass() const {
+        return mass == 0 ? Real(1) : mass / static_cast<Real>(count);
+    }
+
     /// What `mass` stands for: their number where all masses are 1.
     [[nodiscard]] Real total_mass() const { return mass == 0 ? static_cast<Real>(count) : mass; }
 };
@@ -78,6 +100,24 @@ Real mass_offset(const FeatureSum<Real, Dimension, Count>& sum, Real support_rad
     for (std::size_t axis = 0; axis < Dimension; ++axis)
         offset[axis] = sum.moment[axis] / sum.total_mass() / support_radius;
     return std::sqrt(squared_length<Real, Dimension>(offset));
+}
+
+/// The sums over the fluid neighbors of particle i and the boundary particles around it, which a
+/// BoundaryView or NoBoundary delivers.
+template <class Real, int Dimension, class Count, class Boundary>
+MENISCUS_INLINE FeatureSum<Real, Dimension, Real>
+with_boundary(const FeatureSum<Real, Dimension, Count>& fluid, const Boundary& boundary,
+              std::size_t i, const NeighborRange<Real>& range) {
+    FeatureSum<Real, Dimension, Real> sum;
+    for (std::size_t axis = 0; axis < Dimension; ++axis)
+        sum.moment[axis] = fluid.moment[axis];
+    sum.mass = fluid.mass;
+    sum.count = static_cast<Real>(fluid.count);
+    boundary(i, [&](std::size_t, const auto& displacement, Real weight) {
+        sum.add_boundary(displacement, squared_length<Real, Dimension>(displacement), weight,
+                         range);
+    });
+    return sum;
 }
 
 /// The sums of particle i over any neighborhood view: the plain reference.

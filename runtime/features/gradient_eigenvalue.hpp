@@ -16,6 +16,7 @@ struct GradientEigenvalue {
     static constexpr double float_error = 5e-4;
     static constexpr bool is_fraction = false;
     static constexpr bool is_over_kernel = true;
+    static constexpr bool is_eigenvalue = true;
     template <int Dimension>
     static constexpr int terms = matrix_terms<Dimension>;
 

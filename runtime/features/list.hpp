@@ -39,12 +39,16 @@ struct FeatureRow {
     const char* meaning;
     double float_error;
     bool is_fraction;
+    int terms_in_2d; ///< sums that each neighbor adds to
+    int terms_in_3d;
 };
 
 template <std::size_t... Features>
 constexpr std::array<FeatureRow, feature_count> feature_rows(std::index_sequence<Features...>) {
     return {FeatureRow{FeatureAt<Features>::name, FeatureAt<Features>::meaning,
-                       FeatureAt<Features>::float_error, FeatureAt<Features>::is_fraction}...};
+                       FeatureAt<Features>::float_error, FeatureAt<Features>::is_fraction,
+                       FeatureAt<Features>::template terms<2>,
+                       FeatureAt<Features>::template terms<3>}...};
 }
 
 inline constexpr auto feature_list = feature_rows(std::make_index_sequence<feature_count>{});

@@ -14,6 +14,7 @@ struct MassOffset {
     static constexpr double float_error = 5e-6;
     static constexpr bool is_fraction = true;
     static constexpr bool is_over_kernel = false;
+    static constexpr bool is_eigenvalue = false;
     template <int Dimension>
     static constexpr int terms = mean_vector_terms<Dimension>;
 

@@ -14,6 +14,7 @@ struct MomentEigenvalue {
     static constexpr double float_error = 2e-4;
     static constexpr bool is_fraction = false;
     static constexpr bool is_over_kernel = false;
+    static constexpr bool is_eigenvalue = true;
     template <int Dimension>
     static constexpr int terms = matrix_terms<Dimension>;
 

@@ -14,6 +14,7 @@ struct NeighborCount {
     static constexpr double float_error = 2.5e-4;
     static constexpr bool is_fraction = false;
     static constexpr bool is_over_kernel = false;
+    static constexpr bool is_eigenvalue = false;
     template <int Dimension>
     static constexpr int terms = 1;
 

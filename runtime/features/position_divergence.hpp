@@ -15,6 +15,7 @@ struct PositionDivergence {
     static constexpr double float_error = 5e-4;
     static constexpr bool is_fraction = false;
     static constexpr bool is_over_kernel = true;
+    static constexpr bool is_eigenvalue = false;
     template <int Dimension>
     static constexpr int terms = 1;
 

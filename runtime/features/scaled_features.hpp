@@ -30,6 +30,19 @@ void add_scaled(const Vector& displacement, Real neighbor_mass, std::size_t i, s
                                  });
 }
 
+/// Adds the boundary particles around i, after its fluid neighbors, each measured in its radius.
+template <class Real, int Dimension, class Boundary>
+void add_scaled_boundary(const Boundary& boundary, std::size_t i, const VaryingRadii<Real>& radii,
+                         const NeighborRange<Real>& range, ScaledFeatureSum<Real, Dimension>& sum) {
+    boundary(i, [&](std::size_t, const auto& displacement, Real weight) {
+        const Real inverse = radii.inverse_of_pair(i, i);
+        Coordinates<Real, Dimension> step;
+        for (std::size_t axis = 0; axis < Dimension; ++axis)
+            step[axis] = displacement[axis] * inverse;
+        sum.add_boundary(step, squared_length<Real, Dimension>(step), weight, range);
+    });
+}
+
 /// The sums of particle i over any neighborhood view; `range` is that of support radius 1.
 template <class Real, int Dimension, class View>
 ScaledFeatureSum<Real, Dimension> sum_features(const View& view, std::size_t i,

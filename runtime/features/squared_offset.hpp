@@ -12,6 +12,7 @@ struct SquaredOffset {
     static constexpr double float_error = 1e-5;
     static constexpr bool is_fraction = true;
     static constexpr bool is_over_kernel = false;
+    static constexpr bool is_eigenvalue = false;
     template <int Dimension>
     static constexpr int terms = mean_vector_terms<Dimension>;
 

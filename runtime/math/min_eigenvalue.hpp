@@ -50,5 +50,29 @@ Real min_eigenvalue(const Real* lower) {
     return static_cast<Real>(eigenvalue::min_of(entries));
 }
 
+/// Whether it is above `limit`, without finding it: where the matrix less the limit times the
+/// identity is positive definite, which the pivots of its elimination tell. False where an entry is
+/// not a number, unless the compiler may assume that there is none.
+template <int Dimension, class Real>
+bool is_min_eigenvalue_above(const Real* lower, Real limit) {
+    static_assert(Dimension == 2 || Dimension == 3, "matrices have two or three rows");
+    double m[axis_count<Dimension>][axis_count<Dimension>];
+    for (std::size_t row = 0; row < Dimension; ++row)
+        for (std::size_t column = 0; column <= row; ++column)
+            m[row][column] = static_cast<double>(*lower++);
+    for (std::size_t row = 0; row < Dimension; ++row)
+        m[row][row] -= static_cast<double>(limit);
+    for (std::size_t pivot = 0; pivot < Dimension; ++pivot) {
+        if (!(m[pivot][pivot] > 0))
+            return false;
+        for (std::size_t row = pivot + 1; row < Dimension; ++row) {
+            const double factor = m[row][pivot] / m[pivot][pivot];
+            for (std::size_t column = pivot + 1; column <= row; ++column)
+                m[row][column] -= factor * m[column][pivot];
+        }
+    }
+    return true;
+}
+
 } // namespace MENISCUS_INSTRUCTION_SET
 } // namespace meniscus

@@ -122,29 +122,35 @@ MENISCUS_INLINE Wide absolute(Wide a) {
     return Wide(WideMask(a) & INT64_MAX);
 }
 
-/// Of vectors as wide as a register by name: a host's compiler may be told that square roots set
-/// errno, or not to look for vectors by itself.
+/// By name, and by halves where V is wider than a register: a host's compiler may be told that
+/// square roots set errno, or not to look for vectors by itself.
 template <class V>
 MENISCUS_INLINE V square_root(V a) {
-#if defined(__SSE2__)
-    if constexpr (sizeof(V) == MENISCUS_VECTOR_BYTES) {
-        constexpr bool is_float = std::is_same_v<LaneOf<V>, float>;
+    [[maybe_unused]] constexpr bool is_float = std::is_same_v<LaneOf<V>, float>;
 #if MENISCUS_VECTOR_BYTES == 64 // by mask, because the plain ones make GCC 12 warn
-        if constexpr (is_float)
-            return V(_mm512_maskz_sqrt_ps(0xffff, __m512(a)));
-        else
-            return V(_mm512_maskz_sqrt_pd(0xff, __m512d(a)));
-#elif MENISCUS_VECTOR_BYTES == 32
-        if constexpr (is_float)
-            return V(_mm256_sqrt_ps(__m256(a)));
-        else
-            return V(_mm256_sqrt_pd(__m256d(a)));
-#else
-        if constexpr (is_float)
-            return V(_mm_sqrt_ps(__m128(a)));
-        else
-            return V(_mm_sqrt_pd(__m128d(a)));
+    if constexpr (sizeof(V) == 64 && is_float)
+        return V(_mm512_maskz_sqrt_ps(0xffff, __m512(a)));
+    if constexpr (sizeof(V) == 64 && !is_float)
+        return V(_mm512_maskz_sqrt_pd(0xff, __m512d(a)));
 #endif
+#if MENISCUS_VECTOR_BYTES >= 32
+    if constexpr (sizeof(V) == 32 && is_float)
+        return V(_mm256_sqrt_ps(__m256(a)));
+    if constexpr (sizeof(V) == 32 && !is_float)
+        return V(_mm256_sqrt_pd(__m256d(a)));
+#endif
+#if defined(__SSE2__)
+    if constexpr (sizeof(V) == 16 && is_float)
+        return V(_mm_sqrt_ps(__m128(a)));
+    if constexpr (sizeof(V) == 16 && !is_float)
+        return V(_mm_sqrt_pd(__m128d(a)));
+    if constexpr (sizeof(V) > MENISCUS_VECTOR_BYTES) {
+        VectorOf<LaneOf<V>, lanes_in<V> / 2> halves[2];
+        std::memcpy(halves, &a, sizeof a);
+        halves[0] = square_root(halves[0]);
+        halves[1] = square_root(halves[1]);
+        std::memcpy(&a, halves, sizeof a);
+        return a;
     }
 #endif
     for (int lane = 0; lane < lanes_in<V>; ++lane)

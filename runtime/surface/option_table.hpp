@@ -33,6 +33,7 @@ inline constexpr OptionRange seed = {0, 0x1p64, "a whole number from 0 to 184467
 inline constexpr OptionRange passes = {0, 1000, "a whole number from 0 to 1000"};
 inline constexpr OptionRange finite = {-DBL_MAX, DBL_MAX, "finite"};
 inline constexpr OptionRange positive = {DBL_MIN, DBL_MAX, "positive and finite"};
+inline constexpr OptionRange weight = {0, 10, "between 0 and 10"};
 inline constexpr OptionRange coverage = {0, 1, "sampled or exact", {"sampled", "exact"}};
 inline constexpr OptionRange verification = {0, 1, "exact or drop", {"exact", "drop"}};
 inline constexpr OptionRange curvature = {0, 1, "closed or mapped", {"closed", "mapped"}};
@@ -46,6 +47,9 @@ inline constexpr OptionRange force = {0, 1, "paper or calibrated", {"paper", "ca
     ROW(k, line, false, "neighbors",                                                               \
         "Slope of the classifier's line: candidates have y <= k x + d")                            \
     ROW(d, line, false, "neighbors", "Height of the classifier's line")                            \
+    ROW(boundary_weight, weight, false, "",                                                        \
+        "Share of its volume by which a boundary particle counts in the features of the lines; "   \
+        "0: it only covers")                                                                       \
     ROW(radius_ratio, below_1, false, "", "r2 / r1 that the line was trained with")                \
     ROW(coverage, coverage, false, "",                                                             \
         "Uncovered part of a candidate's sphere from samples, or in closed form (slower)")         \
@@ -115,7 +119,30 @@ inline void set_line(SurfaceTensionOptions& options, const SurfaceLine<double>& 
     options.d = line.d;
 }
 
-/// True where both k and d are NaN, which asks for the line that ships.
+/// A first line that leaves all to the second.
+inline constexpr SurfaceLine<double> line_that_passes_all{0, 1e6};
+
+/// Sets what makes the classifier of an exported coefficient struct: its lines, for the options'
+/// spacing_ratio where they follow it, the boundary's weight and the radius ratio. A line of other
+/// features than the paper's becomes the second one, after a first that leaves all to it.
+template <class Coefficients>
+void set_classifier(SurfaceTensionOptions& options) {
+    const double ratio = options.spacing_ratio;
+    options.second_line = {};
+    if constexpr (has_features_of_paper<Coefficients>)
+        set_line(options, surface_line<Coefficients, double>(ratio));
+    else
+        set_line(options, line_that_passes_all);
+    if constexpr (!has_features_of_paper<Coefficients>)
+        options.second_line = as_second_line<Coefficients>(count_scale<Coefficients>(ratio));
+    else if constexpr (has_second_line<Coefficients>)
+        options.second_line =
+            as_second_line<typename Coefficients::SecondLine>(count_scale<Coefficients>(ratio));
+    options.boundary_weight = boundary_weight<Coefficients>;
+    options.radius_ratio = Coefficients::radius_ratio;
+}
+
+/// True where both k and d are NaN, which asks for the classifier that ships.
 inline bool takes_shipped_line(const SurfaceTensionOptions& options) {
     const auto is_nan = [](double value) {
         return bits_of(value) << 1 > bits_of(std::numeric_limits<double>::infinity()) << 1;
@@ -142,6 +169,15 @@ inline void check_option(const char* name, const OptionRange& range, double valu
     refuse(text);
 }
 
+inline void check(const SecondLine& line) {
+    if (!line.is_there)
+        return;
+    if (line.x >= feature_count || line.y >= feature_count || line.x == line.y)
+        refuse("second_line must be of two different features of features/list.hpp");
+    check_option("second_line.k", option_ranges::line, line.k);
+    check_option("second_line.d", option_ranges::line, line.d);
+}
+
 /// Throws std::invalid_argument (errors.hpp), naming the option and its range, where one is out of
 /// it or the curvature map is of another dimension.
 inline void check(const SurfaceTensionOptions& options, int dimension) {
@@ -150,6 +186,7 @@ inline void check(const SurfaceTensionOptions& options, int dimension) {
         if (!(shipped_line && is_of_line(option)))
             check_option(option.name, option.range, static_cast<double>(options.*option.member));
     });
+    check(options.second_line);
     const int of_map = options.curvature_map.dimension;
     if (options.curvature == CurvatureForm::mapped && of_map != 0 && of_map != dimension)
         refuse("curvature_map is not of the dimension of the fluid");

@@ -4,6 +4,8 @@
 // names.
 #pragma once
 
+#include "../features/classifier_options.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -38,8 +40,9 @@ struct CurvatureMap {
 /// What a scene needs. The defaults are the project's own choices in two and three dimensions;
 /// `paper_options` gives the 2020 paper's.
 struct SurfaceTensionOptions {
-    double k = std::numeric_limits<double>::quiet_NaN(); ///< both NaN: the line that ships for the
-    double d = std::numeric_limits<double>::quiet_NaN(); ///< dimension
+    double k = std::numeric_limits<double>::quiet_NaN(); ///< both NaN: the classifier that ships
+    double d = std::numeric_limits<double>::quiet_NaN(); ///< for the dimension, boundary included
+    double boundary_weight = 0;
     double radius_ratio = 0.8;
     CoverageMethod coverage = CoverageMethod::sampled;
     std::size_t samples = 128;
@@ -54,6 +57,7 @@ struct SurfaceTensionOptions {
     ForceForm force = ForceForm::calibrated;
     double surface_tension = 0.072;
     double spacing_ratio = 2;
+    SecondLine second_line{};     ///< of the classifier
     CurvatureMap curvature_map{}; ///< of dimension 0: the one that ships for the dimension
 };
 

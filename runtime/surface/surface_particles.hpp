@@ -1,7 +1,7 @@
 // The surface particles of one step: found in two stages, and kept in a list of their own, so that
 // all that follows costs time for them alone.
 // 1. find_candidates: the line lets through every surface particle and some others
-// (classifier.hpp).
+// (classifier.hpp); a second line (second_line.hpp) keeps fewer of them.
 // 2. find_exposure: how much of each candidate's sphere is uncovered, and where, sampled or exact.
 //    A sample that lies uncovered beyond rounding proves a candidate surface. One without any is
 //    decided by the exact test, so that the surface is complete whatever the number of samples; or
@@ -15,7 +15,9 @@
 #include "../coverage/sampled_coverage.hpp"
 #include "../features/classifier.hpp"
 #include "../features/scaled_features.hpp"
+#include "../features/second_line.hpp"
 #include "../math/coordinates.hpp"
+#include "../neighbors/boundary.hpp"
 #include "../neighbors/parallel_loop.hpp"
 #include "surface_options.hpp"
 
@@ -30,25 +32,6 @@ enum class SurfaceClass : std::uint8_t {
     interior = 0, ///< by the line
     covered = 1,  ///< let through by the line, but covered
     surface = 2,
-};
-
-/// A view without particles, for fluids without a boundary.
-struct NoBoundary {
-    static constexpr bool is_there = false;
-    template <class Visit>
-    void operator()(std::size_t /*i*/, Visit&& /*visit*/) const {}
-};
-
-/// A host's view of its boundary particles: view(i, visit) calls visit(j, x_j - x_i, m_j) for those
-/// around fluid particle i. They cover; they are measured in the radius of i.
-template <class View>
-struct BoundaryView {
-    static constexpr bool is_there = true;
-    View view;
-    template <class Visit>
-    void operator()(std::size_t i, Visit&& visit) const {
-        view(i, visit);
-    }
 };
 
 /// A particle next to a surface particle on the surface.
@@ -153,28 +136,37 @@ struct ExposureMemory {
     SampledCaps caps;
     std::vector<float> hold_limits;
     ExactCoverage exact;
+    GatheredNeighbors gathered;
 
     /// Room for so many neighbors of a particle, boundary included.
     void reserve(std::size_t neighbors) {
         caps.reserve((std::max)(neighbors, usual_neighbors));
         hold_limits.reserve(caps.x.size());
         exact.reserve(neighbors);
+        gathered.reserve((std::max)(neighbors, usual_neighbors));
     }
 };
 
-/// How many neighbors a candidate can have on the surface; -1 where the line says interior.
-template <class Real, int Dimension, class View>
-MENISCUS_INLINE std::int32_t
-candidate_neighbors(const View& view, std::size_t i, const UniformRadius<Real>& radii,
-                    const SurfaceLine<Real>& line, double radius_ratio) {
+/// How many neighbors a candidate can have on the surface; -1 where the line says interior. Where
+/// boundary particles count in the features, `boundary` has them, else it is NoBoundary.
+template <class Real, int Dimension, class View, class Boundary>
+MENISCUS_INLINE std::int32_t candidate_neighbors(const View& view, const Boundary& boundary,
+                                                 std::size_t i, const UniformRadius<Real>& radii,
+                                                 const SurfaceLine<Real>& line,
+                                                 double radius_ratio) {
     const auto range = neighbor_range<Real>(static_cast<double>(radii.radius), radius_ratio);
     const auto sum = sum_features<Real, Dimension>(view, i, range);
-    return is_surface(sum, line, radii.radius) ? sum.count : -1;
+    if constexpr (Boundary::is_there)
+        return is_surface(with_boundary(sum, boundary, i, range), line, radii.radius) ? sum.count
+                                                                                      : -1;
+    else
+        return is_surface(sum, line, radii.radius) ? sum.count : -1;
 }
 
-template <class Real, int Dimension, class View>
-std::int32_t candidate_neighbors(const View& view, std::size_t i, const VaryingRadii<Real>& radii,
-                                 const SurfaceLine<Real>& line, double radius_ratio) {
+template <class Real, int Dimension, class View, class Boundary>
+std::int32_t candidate_neighbors(const View& view, const Boundary& boundary, std::size_t i,
+                                 const VaryingRadii<Real>& radii, const SurfaceLine<Real>& line,
+                                 double radius_ratio) {
     const auto range = neighbor_range<Real>(1, radius_ratio);
     ScaledFeatureSum<Real, Dimension> sum;
     std::int32_t delivered = 0;
@@ -182,12 +174,12 @@ std::int32_t candidate_neighbors(const View& view, std::size_t i, const VaryingR
         add_scaled(displacement, mass, i, j, radii, range, sum);
         ++delivered;
     });
+    add_scaled_boundary(boundary, i, radii, range, sum);
     return is_surface(sum, line, Real(1)) ? delivered : -1;
 }
 
 /// Fills the list with the particles of `view` (count of them) that the line lets through;
-/// `radius_ratio` r2 / r1 says which neighbors count. Where the line was trained with boundary
-/// particles in the features, `view` delivers them too.
+/// `radius_ratio` r2 / r1 says which neighbors count.
 template <class Real, int Dimension, class View, class Radii, class Loop>
 void find_candidates(const View& view, std::size_t count, const Radii& radii,
                      const SurfaceLine<Real>& line, double radius_ratio, const Loop& loop,
@@ -195,8 +187,8 @@ void find_candidates(const View& view, std::size_t count, const Radii& radii,
     list.slot_of.resize(count);
     loop(count, [&](std::size_t begin, std::size_t end, int /*worker*/) {
         for (std::size_t i = begin; i < end; ++i)
-            list.slot_of[i] =
-                candidate_neighbors<Real, Dimension>(view, i, radii, line, radius_ratio);
+            list.slot_of[i] = candidate_neighbors<Real, Dimension>(view, NoBoundary{}, i, radii,
+                                                                   line, radius_ratio);
     });
     number_candidates(list);
 }
@@ -209,6 +201,60 @@ void take_candidates(const std::uint8_t* candidate, const Count* neighbor_count,
     list.slot_of.resize(count);
     for (std::size_t i = 0; i < count; ++i)
         list.slot_of[i] = candidate[i] != 0 ? static_cast<std::int32_t>(neighbor_count[i]) : -1;
+    number_candidates(list);
+}
+
+/// Fills the list with the particles that both lines of the options let through, the second where
+/// there is one. `boundary` counts in their features where the options say so. `memory` has one
+/// entry a worker.
+template <class Real, int Dimension, class View, class Boundary, class Radii, class Loop>
+void find_candidates(const View& view, const Boundary& boundary, std::size_t count,
+                     const Radii& radii, const SurfaceTensionOptions& options, const Loop& loop,
+                     ExposureMemory* memory, SurfaceParticles<Real, Dimension>& list) {
+    if constexpr (Boundary::is_there)
+        if (options.boundary_weight == 0)
+            return find_candidates(view, NoBoundary{}, count, radii, options, loop, memory, list);
+    const SurfaceLine<Real> line{static_cast<Real>(options.k), static_cast<Real>(options.d)};
+    const auto weighted = times_weight(boundary, static_cast<Real>(options.boundary_weight));
+    list.slot_of.resize(count);
+    loop(count, [&](std::size_t begin, std::size_t end, int worker) {
+        GatheredNeighbors& gathered = memory[worker].gathered;
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::int32_t neighbors = candidate_neighbors<Real, Dimension>(
+                view, weighted, i, radii, line, options.radius_ratio);
+            const bool stays = neighbors >= 0 &&
+                               (!options.second_line.is_there ||
+                                is_surface<Dimension>(view, weighted, i, radii, options.second_line,
+                                                      options.radius_ratio, gathered));
+            list.slot_of[i] = stays ? neighbors : -1;
+        }
+    });
+    number_candidates(list);
+}
+
+/// The same where the host applied the first line already, as in its density loop: `candidate[i]`
+/// is not 0 for those that it lets through, `neighbor_count[i]` is FeatureSum::count of the fluid.
+template <class Real, int Dimension, class View, class Boundary, class Radii, class Count,
+          class Loop>
+void thin_candidates(const View& view, const Boundary& boundary, const std::uint8_t* candidate,
+                     const Count* neighbor_count, std::size_t count, const Radii& radii,
+                     const SurfaceTensionOptions& options, const Loop& loop, ExposureMemory* memory,
+                     SurfaceParticles<Real, Dimension>& list) {
+    if constexpr (Boundary::is_there)
+        if (options.boundary_weight == 0)
+            return thin_candidates(view, NoBoundary{}, candidate, neighbor_count, count, radii,
+                                   options, loop, memory, list);
+    const auto weighted = times_weight(boundary, static_cast<Real>(options.boundary_weight));
+    list.slot_of.resize(count);
+    loop(count, [&](std::size_t begin, std::size_t end, int worker) {
+        GatheredNeighbors& gathered = memory[worker].gathered;
+        for (std::size_t i = begin; i < end; ++i) {
+            const bool stays = candidate[i] != 0 &&
+                               is_surface<Dimension>(view, weighted, i, radii, options.second_line,
+                                                     options.radius_ratio, gathered);
+            list.slot_of[i] = stays ? static_cast<std::int32_t>(neighbor_count[i]) : -1;
+        }
+    });
     number_candidates(list);
 }
 
@@ -359,7 +405,7 @@ void find_exposure(const View& view, const Boundary& boundary, const Radii& radi
     using namespace surface_particles;
     const double ratio = options.radius_ratio;
     loop(list.size(), [&](std::size_t begin, std::size_t end, int worker) {
-        auto& [caps, hold_limits, exact] = memory[worker];
+        auto& [caps, hold_limits, exact, gathered] = memory[worker];
         for (std::size_t slot = begin; slot < end; ++slot) {
             const std::size_t i = list.particle[slot];
             const Vector3 inward = collect(view, boundary, radii, ratio, slot, list, caps);

@@ -12,12 +12,12 @@
 #pragma once
 
 #include "../errors.hpp"
-#include "../features/shipped_surface_line.hpp"
 #include "../math/coordinates.hpp"
 #include "../neighbors/position_resolution.hpp"
 #include "connected_components.hpp"
 #include "momentum.hpp"
 #include "option_table.hpp"
+#include "shipped_classifier.hpp"
 #include "shipped_curvature_map.hpp"
 #include "surface_force.hpp"
 
@@ -27,10 +27,10 @@ inline namespace MENISCUS_INSTRUCTION_SET {
 static_assert(option_ranges::samples.min == min_samples &&
               option_ranges::samples.max == max_samples);
 
-/// The options with the line and the map that ship for the dimension where they name none.
+/// The options with the classifier and the map that ship for the dimension where they name none.
 inline SurfaceTensionOptions completed(SurfaceTensionOptions options, int dimension) {
     if (takes_shipped_line(options))
-        set_line(options, shipped_surface_line(dimension));
+        set_shipped_classifier(options, dimension);
     if (options.curvature_map.dimension == 0)
         options.curvature_map = shipped_curvature_map(dimension);
     return options;
@@ -54,7 +54,7 @@ public:
     /// What the last step found.
     [[nodiscard]] const SurfaceParticles<Real, Dimension>& surface() const { return list; }
 
-    /// As given, but for the line and the map where those that ship were asked for.
+    /// As given, but for the classifier and the map where those that ship were asked for.
     [[nodiscard]] const SurfaceTensionOptions& options() const { return settings; }
 
     /// Room for so many particles, neighbors a particle and workers of the loop: steps with no more
@@ -64,7 +64,7 @@ public:
         list.reserve_slots(particles, particles * neighbors);
         normals_before.reserve(particles);
         curvatures_before.reserve(particles);
-        memory.resize((std::max)(memory.size(), static_cast<std::size_t>(workers)));
+        make_memory(workers);
         for (ExposureMemory& one : memory)
             one.reserve(neighbors);
         components.resize((std::max)(components.size(), particles));
@@ -99,10 +99,9 @@ public:
     void step(const View& view, const Boundary& boundary, std::size_t count, const Radii& radii,
               const std::uint32_t* ids, const Loop& loop) {
         check_step(radii, count);
-        find_candidates<Real, Dimension>(
-            view, count, radii,
-            SurfaceLine<Real>{static_cast<Real>(settings.k), static_cast<Real>(settings.d)},
-            settings.radius_ratio, loop, list);
+        make_memory(loop.workers());
+        find_candidates<Real, Dimension>(view, boundary, count, radii, settings, loop,
+                                         memory.data(), list);
         step_from_candidates(view, boundary, radii, ids, loop);
     }
 
@@ -112,14 +111,20 @@ public:
         step(view, NoBoundary{}, count, radii, nullptr, loop);
     }
 
-    /// The same after a host's own classification: candidate[i] not 0, and FeatureSum::count of
-    /// each particle, from its density loop.
+    /// The same after a host's own classification in its density loop: candidate[i] not 0 for those
+    /// that the first line lets through, and FeatureSum::count of each particle in the fluid. The
+    /// second line, where the options have one, then keeps fewer of them.
     template <class View, class Boundary, class Radii, class Count, class Loop>
     void step(const View& view, const Boundary& boundary, std::size_t count, const Radii& radii,
               const std::uint32_t* ids, const std::uint8_t* candidate, const Count* neighbor_count,
               const Loop& loop) {
         check_step(radii, count);
-        take_candidates(candidate, neighbor_count, count, list);
+        make_memory(loop.workers());
+        if (settings.second_line.is_there)
+            thin_candidates<Real, Dimension>(view, boundary, candidate, neighbor_count, count,
+                                             radii, settings, loop, memory.data(), list);
+        else
+            take_candidates(candidate, neighbor_count, count, list);
         step_from_candidates(view, boundary, radii, ids, loop);
     }
 
@@ -160,6 +165,10 @@ private:
     std::vector<std::uint32_t> components;
     std::vector<std::uint8_t> at_wall;
 
+    void make_memory(int workers) {
+        memory.resize((std::max)(memory.size(), static_cast<std::size_t>(workers)));
+    }
+
     template <class Radii>
     void check_step(const Radii& radii, std::size_t count) const {
         if constexpr (!Radii::varies)
@@ -174,7 +183,6 @@ private:
     template <class View, class Boundary, class Radii, class Loop>
     void step_from_candidates(const View& view, const Boundary& boundary, const Radii& radii,
                               const std::uint32_t* ids, const Loop& loop) {
-        memory.resize((std::max)(memory.size(), static_cast<std::size_t>(loop.workers())));
         find_exposure<Real, Dimension>(view, boundary, radii, ids, directions, cells, settings,
                                        loop, memory.data(), list);
         if (settings.covariance_share > 0)

@@ -158,6 +158,7 @@ void write_checkpoint(const Checkpoint& checkpoint, const Scene& scene, const st
     snapshot.dimension = scene.dimension;
     snapshot.support_radius = scene.support_radius;
     snapshot.particle_spacing = scene.particle_spacing;
+    snapshot.particle_volume = particle_volume(scene);
     snapshot.scene = scene.name;
     const SimulationState& state = checkpoint.state;
     snapshot.time = state.time;

@@ -87,8 +87,11 @@ struct TensionOptions {
     bool restrict_to_surface = false; ///< rivals: forces on surface particles only
     // The rest is for `meniscus`.
     bool balance_momentum = true; ///< takes net force and torque out of bodies that touch no wall
+    /// Of the classifier that `surface` is to have in place of the one that ships; whoever runs the
+    /// scene reads it (app/scene_model.hpp). Empty: none.
+    std::filesystem::path model_file;
     /// Of the runtime, which has surface_tension from the coefficient, spacing_ratio from the scene
-    /// and, where k and d are NaN, the line that ships for the support radius.
+    /// and, where k and d are NaN, the classifier that ships for the dimension.
     SurfaceTensionOptions surface;
 };
 
@@ -128,6 +131,12 @@ struct Scene {
     TensionOptions surface_tension;
     TimeStepOptions time_step;
 };
+
+/// Of a particle at rest, m^3 (in 2D m^2).
+double particle_volume(const Scene& scene);
+
+/// Support radius over the spacing of particles at rest, the root of their volume.
+double spacing_ratio(const Scene& scene);
 
 /// Reads a scene, with the variant of that name merged in ("" for none), and then the changes, each
 /// a "key=value" such as "pressure.solver=iisph": the value is JSON or, where that cannot be, a

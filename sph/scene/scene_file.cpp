@@ -501,6 +501,13 @@ Json json_of(const std::optional<Value>& value) {
     return value ? Json(*value) : Json(nullptr);
 }
 
+Json json_of(const SecondLine& line) {
+    return {{"features", {feature_list[line.x].name, feature_list[line.y].name}},
+            {"k", line.k},
+            {"d", line.d},
+            {"above", line.above}};
+}
+
 Json json_of(const TensionOptions& options) {
     Json json = {{"model", options.model},
                  {"coefficient", options.coefficient},
@@ -510,6 +517,8 @@ Json json_of(const TensionOptions& options) {
         if (!comes_with_scene(option.name))
             json[option.name] = json_of(option, options.surface);
     });
+    if (options.surface.second_line.is_there)
+        json["second_line"] = json_of(options.surface.second_line);
     return json;
 }
 
@@ -544,7 +553,7 @@ void add_shapes(const Scene& scene, Json& json) {
 } // namespace
 
 std::vector<std::string> meniscus_option_keys() {
-    std::vector<std::string> keys = {"balance_momentum", "paper"};
+    std::vector<std::string> keys = {"balance_momentum", "paper", "model_file"};
     for_each_surface_option([&](const auto& option) {
         if (!comes_with_scene(option.name))
             keys.emplace_back(option.name);
@@ -560,6 +569,12 @@ void read_meniscus_options(const JsonReader& reader, TensionOptions& options) {
         if (!comes_with_scene(option.name) && reader.has(option.name))
             options.surface.*option.member = read_surface_option(reader, option);
     });
+    if (reader.has("model_file")) {
+        options.model_file = reader.text("model_file");
+        for (const char* key : {"k", "d", "boundary_weight", "radius_ratio"})
+            if (reader.has(key))
+                reader.refuse(key, "absent: model_file says it");
+    }
     if (reader.has("k") != reader.has("d"))
         reader.refuse(reader.has("k") ? "d" : "k", "there too: a line has both k and d");
     for_each_surface_option([&](const auto& option) {
@@ -577,6 +592,9 @@ Scene read_scene(const std::filesystem::path& file, const std::string& variant,
         file.string() + (variant.empty() ? "" : ", variant '" + variant + "'");
     Scene scene = scene_from(JsonReader(json, shown_file, ""), file.parent_path());
     scene.variant = variant;
+    std::filesystem::path& model = scene.surface_tension.model_file;
+    if (!model.empty())
+        model = file.parent_path() / model;
     return scene;
 }
 

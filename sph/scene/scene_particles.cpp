@@ -298,6 +298,18 @@ SceneParticles fill_scene(const Scene& scene) {
     return particles;
 }
 
+double particle_volume(const Scene& scene) {
+    double volume = scene.volume_share;
+    for (int axis = 0; axis < scene.dimension; ++axis)
+        volume *= scene.particle_spacing;
+    return volume;
+}
+
+double spacing_ratio(const Scene& scene) {
+    return scene.support_radius / scene.particle_spacing /
+           std::pow(scene.volume_share, 1.0 / scene.dimension);
+}
+
 std::array<Place, 2> scene_domain(const Scene& scene, const SceneParticles& particles) {
     if (scene.domain)
         return *scene.domain;

@@ -47,10 +47,12 @@ public:
             static_cast<Real>(particles.mass / (scene.rest_density * std::pow(h, Dimension)));
         const double spacing = scene.particle_spacing / h;
         solver = make_solver<Real, Dimension>(scene.pressure, spacing);
-        tension = make_tension_model<Real, Dimension>(scene.surface_tension, fluid.units, spacing);
+        const double rest_spacing = 1 / spacing_ratio(scene);
+        tension =
+            make_tension_model<Real, Dimension>(scene.surface_tension, fluid.units, rest_spacing);
         if (tension && scene.surface_tension.restrict_to_surface)
-            detector = std::make_unique<MonteCarloTension<Real, Dimension>>(scene.surface_tension,
-                                                                            fluid.units, spacing);
+            detector = std::make_unique<MonteCarloTension<Real, Dimension>>(
+                scene.surface_tension, fluid.units, rest_spacing);
         add_walls(particles.walls);
     }
 
@@ -184,6 +186,7 @@ private:
             const Real flat = flat_wall_volume(kernel);
             const double spacing = scene.particle_spacing / scene.support_radius;
             const auto flat_sum = static_cast<Real>(layer_sum(kernel, spacing, 0));
+            fluid.wall_volume_share = flat * flat_sum;
             contact_density = flat * static_cast<Real>(layer_sum(kernel, spacing, 0.5));
             fluid.loop.each(walls.size(), [&](std::size_t b) {
                 Lanes<Real> sum = kernel.value(Lanes<Real>{}) * Lanes<Real>{1, 0, 0, 0, 0, 0, 0, 0};
@@ -191,7 +194,7 @@ private:
                                              [&](const NeighborLanes<Real, Dimension>& lanes) {
                                                  sum += kernel.value(lanes.distance_squared);
                                              });
-                rows[b].w = flat * flat_sum / sum_of_lanes(sum);
+                rows[b].w = fluid.wall_volume_share / sum_of_lanes(sum);
             });
         });
         for (std::size_t b = 0; b < walls.size(); ++b)

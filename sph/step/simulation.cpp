@@ -4,6 +4,7 @@
 
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/text.hpp>
+#include <meniscus/runtime/surface/shipped_classifier.hpp>
 #include <meniscus/sph/scene/methods.hpp>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <stdexcept>
 
 namespace meniscus {
 namespace {
@@ -100,8 +102,23 @@ void check_pressure(const PressureOptions& options) {
     }
 }
 
-/// Support radius over spacing. The lines were trained up to 2.5.
-constexpr double widest_line = 2.75;
+/// What finds the surface must know the scene's support radius.
+void check_classifier(const Scene& scene) {
+    if (!knows_surface(scene.surface_tension))
+        return;
+    SurfaceTensionOptions options = scene.surface_tension.surface;
+    expect(scene.surface_tension.model_file.empty() || !takes_shipped_line(options),
+           "the model file of a scene must be read before it runs (use_model_file)", options.k);
+    if (!takes_shipped_line(options))
+        return;
+    options.spacing_ratio = spacing_ratio(scene);
+    try {
+        set_shipped_classifier(options, scene.dimension);
+    } catch (const std::invalid_argument& error) {
+        throw InputError(std::string(error.what()) +
+                         ", as surface_tension.k and .d or surface_tension.model_file");
+    }
+}
 
 /// What read_scene() refuses in a file, for scenes that a program made: numbers that would spoil
 /// the whole fluid.
@@ -123,11 +140,7 @@ void check_numbers(const Scene& scene, const SceneParticles& particles) {
     expect(viscosity.xsph >= 0 && viscosity.xsph <= 1, "xsph must be 0 to 1", viscosity.xsph);
     expect(std::isfinite(scene.surface_tension.coefficient),
            "coefficient of surface tension must be finite", scene.surface_tension.coefficient);
-    expect(!knows_surface(scene.surface_tension) ||
-               std::isfinite(scene.surface_tension.surface.k) || ratio <= widest_line,
-           "support radius must be at most 2.75 spacings for the lines that ship, which would take "
-           "its surface for interior; give surface_tension.k and .d, trained for it",
-           ratio);
+    check_classifier(scene);
     check_pressure(scene.pressure);
     check_time_step(scene.time_step);
 }
@@ -266,6 +279,7 @@ public:
         frame.boundary = walls;
         frame.support_radius = scene.support_radius;
         frame.particle_spacing = scene.particle_spacing;
+        frame.particle_volume = particle_volume(scene);
         frame.time = now.time;
         frame.scene = scene.name;
         std::vector<std::int64_t> ids(size());

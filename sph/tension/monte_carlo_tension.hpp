@@ -4,19 +4,25 @@
 
 #include "tension_model.hpp"
 
-#include <meniscus/runtime/coefficients/surface_2d_wide.hpp>
-#include <meniscus/runtime/coefficients/surface_3d_wide.hpp>
 #include <meniscus/runtime/surface/surface_tension.hpp>
 
 namespace meniscus {
 inline namespace MENISCUS_INSTRUCTION_SET {
 
-/// The step's lists as a view of the runtime. Places are rows of four.
+/// What makes of psi_b, the w of a wall particle's place, its V_b / V_0.
 template <class Real, int Dimension>
+Real over_wall_volume(const Fluid<Real, Dimension>& fluid) {
+    return 1 / (fluid.wall_volume_share * fluid.mass);
+}
+
+/// The step's lists as a view of the runtime. Places are rows of four. All of the fluid have the
+/// same mass; wall particles weigh V_b / V_0.
+template <class Real, int Dimension, bool Fluids>
 struct LaneListView {
     const Row<Real>* rows;    ///< those in the lists
     const Row<Real>* centers; ///< those that have lists
     const LaneLists* lists;
+    Real wall_weight; ///< over_wall_volume()
 
     template <class Visit>
     MENISCUS_INLINE void operator()(std::size_t i, Visit&& visit) const {
@@ -29,55 +35,52 @@ struct LaneListView {
             displacement[1] = other.y - center.y;
             if constexpr (Dimension == 3)
                 displacement[Dimension - 1] = other.z - center.z;
-            visit(list[n], displacement, Real(1));
+            visit(list[n], displacement, Fluids ? Real(1) : other.w * wall_weight);
         }
     }
 };
 
-/// The line that ships for the dimension and the support radius: those trained on h = 2 spacings
-/// miss particles at 2.5, those trained there let most of a fluid with h = 2 spacings through.
-template <int Dimension>
-SurfaceLine<double> line_for_spacing(double spacing) {
-    constexpr double widest = 1 / 2.25;
-    if (spacing > widest)
-        return shipped_surface_line(Dimension);
-    return Dimension == 3 ? surface_line<Surface3DWide, double>()
-                          : surface_line<Surface2DWide, double>();
-}
-
 /// The options of the runtime that a scene asks for; sigma in the units of a step.
-template <int Dimension>
-SurfaceTensionOptions tension_settings(const TensionOptions& options, const StepUnits& units,
-                                       double spacing) {
+inline SurfaceTensionOptions tension_settings(const TensionOptions& options, const StepUnits& units,
+                                              double spacing) {
     SurfaceTensionOptions settings = options.surface;
-    if (takes_shipped_line(settings))
-        set_line(settings, line_for_spacing<Dimension>(spacing));
     const double h = units.support_radius;
     settings.surface_tension = options.coefficient / (units.rest_density * h * h * h);
     settings.spacing_ratio = 1 / spacing;
     return settings;
 }
 
-/// Candidates by the classifier's line, from the step's lists.
+/// Candidates by the classifier's first line, from the step's lists; walls count where the options
+/// say so.
 template <class Real, int Dimension>
-void find_candidates_in_lanes(const Fluid<Real, Dimension>& fluid, const SurfaceLine<Real>& line,
-                              double radius_ratio, std::vector<std::uint8_t>& candidate) {
-    const auto range = neighbor_range<Real>(1, radius_ratio);
+void find_candidates_in_lanes(const Fluid<Real, Dimension>& fluid,
+                              const SurfaceTensionOptions& options,
+                              std::vector<std::uint8_t>& candidate) {
+    const auto range = neighbor_range<Real>(1, options.radius_ratio);
+    const SurfaceLine<Real> line{static_cast<Real>(options.k), static_cast<Real>(options.d)};
+    const bool walls_count = options.boundary_weight > 0 && fluid.wall_place.size() > 1;
+    const Real weight = static_cast<Real>(options.boundary_weight) * over_wall_volume(fluid);
     candidate.resize(fluid.count);
     fluid.loop.each(fluid.count, [&](std::size_t i) {
         VectorSum<Real, Dimension> moment;
         Lanes<Real> count{};
-        const Lanes<Real> zero{};
-        visit_neighbors(fluid, i, [&](const NeighborLanes<Real, Dimension>& lanes) {
-            const Lanes<Real> near =
-                lanes.distance_squared < range.outer_squared ? zero + Real(1) : zero;
+        const auto add = [&](const NeighborLanes<Real, Dimension>& lanes, Lanes<Real> weight) {
+            const Lanes<Real> zero{};
+            const Lanes<Real> near = lanes.distance_squared < range.outer_squared ? weight : zero;
             const Lanes<Real> counts = lanes.distance_squared > range.inner_squared ? near : zero;
             count += counts;
             moment.add(counts, lanes.step);
+        };
+        visit_neighbors(fluid, i, [&](const NeighborLanes<Real, Dimension>& lanes) {
+            add(lanes, all_lanes<Lanes<Real>>(1));
         });
+        if (walls_count)
+            visit_walls(fluid, i, [&](const NeighborLanes<Real, Dimension>& lanes) {
+                add(lanes, lanes.w * weight);
+            });
         const Row<Real> total = moment.total();
-        FeatureSum<Real, Dimension> sum;
-        sum.count = static_cast<int>(sum_of_lanes(count));
+        FeatureSum<Real, Dimension, Real> sum;
+        sum.count = sum_of_lanes(count);
         sum.moment[0] = total.x;
         sum.moment[1] = total.y;
         if constexpr (Dimension == 3)
@@ -97,8 +100,7 @@ public:
 
     /// `spacing`: of the particles at rest, in support radii.
     MonteCarloTension(const TensionOptions& model_options, const StepUnits& units, double spacing)
-        : MonteCarloTension(model_options,
-                            tension_settings<Dimension>(model_options, units, spacing)) {}
+        : MonteCarloTension(model_options, tension_settings(model_options, units, spacing)) {}
 
     /// With the runtime's options as they are; of the model's, balance_momentum alone counts.
     MonteCarloTension(const TensionOptions& model_options, const SurfaceTensionOptions& settings)
@@ -147,16 +149,15 @@ private:
     std::vector<std::uint8_t> candidate;
 
     void find_surface_forces(FluidType& fluid) {
-        const auto& settings = tension.options();
-        find_candidates_in_lanes(
-            fluid, SurfaceLine<Real>{static_cast<Real>(settings.k), static_cast<Real>(settings.d)},
-            settings.radius_ratio, candidate);
-        const LaneListView<Real, Dimension> view{fluid.place.data(), fluid.place.data(),
-                                                 &fluid.neighbors};
+        find_candidates_in_lanes(fluid, tension.options(), candidate);
+        const Real wall_weight = over_wall_volume(fluid);
+        const LaneListView<Real, Dimension, true> view{fluid.place.data(), fluid.place.data(),
+                                                       &fluid.neighbors, wall_weight};
         if (fluid.wall_place.size() > 1) {
-            const LaneListView<Real, Dimension> walls{fluid.wall_place.data(), fluid.place.data(),
-                                                      &fluid.wall_neighbors};
-            find_forces(fluid, view, BoundaryView<LaneListView<Real, Dimension>>{walls});
+            using Walls = LaneListView<Real, Dimension, false>;
+            const Walls walls{fluid.wall_place.data(), fluid.place.data(), &fluid.wall_neighbors,
+                              wall_weight};
+            find_forces(fluid, view, BoundaryView<Walls>{walls});
         } else {
             find_forces(fluid, view, NoBoundary{});
         }

@@ -143,7 +143,7 @@ TEST_F(Audit, TakesThePublishedLines) {
 
 TEST_F(Audit, WarnsOutsideTheTrainedRange) {
     Snapshot dense = read_vtkhdf(droplet);
-    dense.particle_spacing = *dense.support_radius / 3;
+    dense.particle_volume = std::pow(*dense.support_radius / 3, 3);
     const Outcome outcome =
         run(program + Words{"audit", save(dense, "dense.vtkhdf"), "--model", model, "--quiet"});
     EXPECT_EQ(outcome.status, 0);

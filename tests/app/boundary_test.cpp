@@ -40,8 +40,8 @@ protected:
         return scalar_values(read_vtkhdf(folder / "out" / input.filename()), "predicted_surface");
     }
 
-    const Path without = labelled("without.vtkhdf", {});
-    const Path with = labelled("with.vtkhdf", {"--boundary-counts"});
+    const Path without = labelled("without.vtkhdf", {"--boundary-weight", "0"});
+    const Path with = labelled("with.vtkhdf", {});
     const Path ignores = folder / "ignores.json";
     const Path counts = folder / "counts.json";
 };
@@ -49,8 +49,8 @@ protected:
 TEST_F(Boundary, CountsInTheFeaturesByOption) {
     const Snapshot covers = read_vtkhdf(without);
     const Snapshot counted = read_vtkhdf(with);
-    EXPECT_EQ(covers.provenance.at("boundary_rule"), "boundary particles do not count");
-    EXPECT_EQ(counted.provenance.at("boundary_rule"), "boundary particles count");
+    EXPECT_EQ(covers.provenance.at("boundary_weight"), "0.0");
+    EXPECT_EQ(counted.provenance.at("boundary_weight"), "0.85");
     EXPECT_EQ(scalar_values(covers, "uncovered_fraction"),
               scalar_values(counted, "uncovered_fraction"));
     const auto few = scalar_values(covers, "neighbor_count");
@@ -64,29 +64,32 @@ TEST_F(Boundary, CountsInTheFeaturesByOption) {
 TEST_F(Boundary, RulesAreNotUpToDateWithEachOther) {
     const Words again = {"label",      folder / "with.vtkhdf",  "-o",        folder / "labelled",
                          "--boundary", folder / "floor.vtkhdf", "--samples", "500"};
-    EXPECT_NE(succeed(again + Words{"--boundary-counts"}).find("up to date"), std::string::npos);
-    EXPECT_EQ(succeed(again).find("up to date"), std::string::npos);
-    EXPECT_NE(succeed(again + Words{"--boundary-counts"}).find("cover and count"),
+    EXPECT_NE(succeed(again + Words{"--boundary-weight", "0.85"}).find("up to date"),
+              std::string::npos);
+    EXPECT_NE(succeed(again).find("up to date"), std::string::npos); // the default
+    EXPECT_EQ(succeed(again + Words{"--boundary-weight", "0"}).find("up to date"),
+              std::string::npos);
+    EXPECT_NE(succeed(again + Words{"--boundary-weight", "0.85"}).find("cover and count"),
               std::string::npos);
     // Where there are none, the rule holds all the same.
-    const Path bare = label(save(block(5), "bare.vtkhdf"), {"--boundary-counts"});
-    EXPECT_EQ(read_vtkhdf(bare).provenance.at("boundary_rule"), "boundary particles count");
+    const Path bare = label(save(block(5), "bare.vtkhdf"), {});
+    EXPECT_EQ(read_vtkhdf(bare).provenance.at("boundary_weight"), "0.85");
 }
 
 TEST_F(Boundary, OneModelIsOfOneRule) {
-    EXPECT_FALSE(read_model(ignores).boundary_counts);
-    EXPECT_TRUE(read_model(counts).boundary_counts);
+    EXPECT_EQ(read_model(ignores).boundary_weight, 0);
+    EXPECT_EQ(read_model(counts).boundary_weight, 0.85);
     fail(2, {"train", without, with, "-o", folder / "both.json"},
-         {"without.vtkhdf", "'boundary particles do not count'", " with.vtkhdf",
-          "'boundary particles count'"});
+         {"without.vtkhdf", "boundary weight 0 ", "with.vtkhdf with 0.85"});
     fail(2, {"train", with, "-o", folder / "kept.json", "--keep-k", ignores},
-         {"ignores.json", "with.vtkhdf", "--boundary-counts"});
+         {"ignores.json", "with.vtkhdf", "--boundary-weight 0"});
     auto json = nlohmann::ordered_json::parse(bytes_of(counts));
-    json["boundary_rule"] = "some count";
+    json["boundary_weight"] = "some";
     fail(2, {"audit", with, "--model", write("free.json", json.dump())},
-         {"free.json", "'boundary_rule'", "some count", "boundary particles count"});
+         {"free.json", "'boundary_weight'", "some", "a number from 0.0 to 10.0"});
     succeed({"export", counts, "-o", folder / "counts.hpp", "--quiet"});
-    EXPECT_NE(bytes_of(folder / "counts.hpp").find("; boundary particles count.\n"),
+    EXPECT_NE(bytes_of(folder / "counts.hpp")
+                  .find("; boundary particles count by 0.85 of their volume.\n"),
               std::string::npos);
 }
 
@@ -112,14 +115,8 @@ TEST_F(Boundary, ClassifyCountsWhatTheAuditCounts) {
          {"none.vtk"});
 }
 
-TEST_F(Boundary, ClassifyWarnsWhereThereIsNone) {
+TEST_F(Boundary, PlaysNoPartInTheClassesOfAModelThatIgnoresIt) {
     const Path bare = folder / "with.vtkhdf";
-    const Outcome outcome =
-        run(program + Words{"classify", bare, "--model", counts, "-o", folder / "out", "--quiet"});
-    EXPECT_EQ(outcome.status, 0);
-    EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1) << outcome.errors;
-    expect_mentions(outcome.errors, {"warning", "with.vtkhdf", "--boundary"});
-    // A model that does not count them ignores them.
     EXPECT_EQ(classes(bare, ignores, {}),
               classes(bare, ignores, {"--boundary", folder / "floor.vtkhdf"}));
 }

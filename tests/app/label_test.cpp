@@ -138,7 +138,7 @@ TEST_F(Label, QuietPrintsNothing) {
 TEST_F(Label, WarnsOfAnImplausibleSupportRadius) {
     const Outcome outcome =
         run(program + Words{"label", save(block(8), "block.vtkhdf"), "-o", folder / "out",
-                            "--samples", "50", "--support-radius", "3", "--quiet"});
+                            "--samples", "50", "--support-radius", "0.55", "--quiet"});
     EXPECT_EQ(outcome.status, 0);
     expect_one_line(outcome.errors);
     expect_mentions(outcome.errors, {"warning", "neighbor count", "support radius"});

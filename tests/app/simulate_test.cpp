@@ -412,6 +412,30 @@ TEST_F(Simulate, ChangesAreThoseOfTheScene) {
     expect_same_files("by_file", "by_option");
 }
 
+TEST_F(Simulate, TakesAModelFile) {
+    const Path models = MENISCUS_MODELS;
+    std::filesystem::copy(models / "surface_3d.json", folder / "line.json");
+    Json json = tank();
+    succeed(simulate(save_scene(json), "shipped"));
+    json["name"] = "own";
+    json["surface_tension"]["model_file"] = "line.json"; // beside the scene
+    const Path scene = save_scene(json);
+    succeed(simulate(scene, "own"));
+    EXPECT_EQ(read_vtkhdf(folder / "own" / "own_0005.vtkhdf").positions,
+              read_vtkhdf(folder / "shipped" / "tank_0005.vtkhdf").positions);
+    const auto refused = [&](const Words& changes, std::initializer_list<const char*> mentions) {
+        fail(2, simulate(scene, "no", changes), mentions);
+    };
+    const auto model = [](const Path& file) {
+        return Words{"--set", "surface_tension.model_file=" + file.string()};
+    };
+    refused(model(models / "surface_2d.json"), {"surface_2d.json", "2D", "'own'"});
+    refused(model(models / "surface_3d_wide.json"),
+            {"surface_3d_wide.json", "h / particle spacing"});
+    refused(model("none.json"), {"none.json"});
+    refused({"--set", "surface_tension.boundary_weight=1"}, {"boundary_weight", "model_file"});
+}
+
 TEST_F(Simulate, QuietSaysNothing) {
     EXPECT_EQ(succeed(simulate(save_scene(tank()), "out", {"--quiet"})), "");
 }

@@ -29,10 +29,22 @@ FluidState<Real> made_state(const Positions& positions, int dimension) {
 template <class Real>
 std::vector<Detector<Real>> rivals(int dimension) {
     std::vector<Detector<Real>> all;
+    add_coverage_detectors(dimension, all);
+    all.erase(all.begin(), all.end() - 1); // but for the cover vector, they are not others'
     add_eigenvalue_detectors(dimension, all);
     add_divergence_detectors(dimension, all);
     add_visibility_detectors(dimension, all);
     return all;
+}
+
+/// The one of that group whose name ends in `end`.
+template <class Real>
+Detector<Real> rival(int dimension, const std::string& group, const std::string& end) {
+    for (const auto& one : rivals<Real>(dimension))
+        if (one.group == group && one.name.size() >= end.size() &&
+            one.name.compare(one.name.size() - end.size(), end.size(), end) == 0)
+            return one;
+    throw std::invalid_argument("no detector of " + group + " " + end);
 }
 
 template <class Real>
@@ -274,13 +286,131 @@ TYPED_TEST(DetectorTest, WhatLiesInTheUmbrellaCovers) {
     }
 }
 
-TYPED_TEST(DetectorTest, VisibilityFindsTheOutermostLayerOfABallAlone) {
+TYPED_TEST(DetectorTest, DualSphysicsLooksIntoTheUmbrellaOfFewParticles) {
+    for (const int dimension : {2, 3}) {
+        const auto seen = [&](const Positions& positions) {
+            const auto state = made_state<TypeParam>(positions, dimension);
+            return int{detect(rival<TypeParam>(dimension, "divergence", "then cone"), state)[0]};
+        };
+        const auto with = [&](std::array<double, 3> extra) {
+            Positions positions = half_space(dimension);
+            positions.push_back(extra);
+            return seen(positions);
+        };
+        EXPECT_EQ(with({9, 9, 0}), 1);     // nowhere near
+        EXPECT_EQ(with({0.1, 1.9, 0}), 0); // in the ball beyond the cone
+        EXPECT_EQ(with({0.5, 1.75, 0}), 0);
+        EXPECT_EQ(with({0.2, 1.3, 0}), 0);          // in the cone
+        EXPECT_EQ(with({1.1, 1.3, 0}), 1);          // beyond the cone, outside of the ball
+        EXPECT_EQ(with({1.1, 0.6, 0}), 1);          // beside the cone
+        EXPECT_EQ(seen({{0, 0, 0}, {0, 1, 0}}), 1); // isolated, whatever lies in front
+    }
+}
+
+// On a slope the program's umbrella in the plane is a disc of 1 / sqrt(2) lengths, which leaves out
+// the corners of the cone.
+TYPED_TEST(DetectorTest, DualSphysicsUmbrellaInThePlaneTurnsWithTheAxes) {
+    Positions slope = {{0, 0, 0}};
+    for (int x = -4; x <= 4; ++x)
+        for (int y = -4; y <= 4; ++y)
+            if (x + y <= 0 && (x != 0 || y != 0))
+                slope.push_back({double(x), double(y), 0});
+    // Two particles, one on each side, so that the normal stays where it is.
+    const auto with = [](Positions positions, double height, double across, bool is_slope) {
+        for (const double side : {-across, across})
+            positions.push_back(is_slope
+                                    ? std::array<double, 3>{(height + side) / std::sqrt(2.0),
+                                                            (height - side) / std::sqrt(2.0), 0}
+                                    : std::array<double, 3>{side, height, 0});
+        const auto state = made_state<TypeParam>(positions, 2);
+        return int{detect(rival<TypeParam>(2, "divergence", "then cone"), state)[0]};
+    };
+    EXPECT_EQ(with(half_space(2), 0.8, 0.1, false), 0);
+    EXPECT_EQ(with(slope, 0.8, 0.1, true), 0);
+    EXPECT_EQ(with(half_space(2), 0.95, 0.8, false), 0);
+    EXPECT_EQ(with(slope, 0.95, 0.8, true), 1);
+}
+
+TYPED_TEST(DetectorTest, SecondLayerIsWithinHalfTheSupportOfTheFirst) {
+    const auto state = made_state<TypeParam>(half_space(2), 2);
+    const auto surface = detect(rival<TypeParam>(2, "divergence", "second layer"), state);
+    const auto first = detect(rival<TypeParam>(2, "divergence", "below 1.5"), state);
+    EXPECT_EQ(first[0], 1);
+    for (std::size_t i = 0; i < state.size(); ++i) {
+        bool beside = first[i] != 0;
+        for (std::size_t j = 0; j < state.size(); ++j)
+            beside |= first[j] != 0 &&
+                      std::hypot(state.positions[2 * i] - state.positions[2 * j],
+                                 state.positions[2 * i + 1] - state.positions[2 * j + 1]) < 1;
+        EXPECT_EQ(surface[i] != 0, beside) << i;
+    }
+}
+
+TYPED_TEST(DetectorTest, CoverVectorHasAConeOfThirtyDegrees) {
+    for (const int dimension : {2, 3}) {
+        const auto with = [&](double degrees, double distance) {
+            Positions positions = half_space(dimension);
+            // One on each side, so that the vector stays upright.
+            const double across = distance * std::sin(degrees * pi / 180);
+            const double height = distance * std::cos(degrees * pi / 180);
+            positions.push_back({across, height, 0});
+            positions.push_back({-across, height, 0});
+            const auto state = made_state<TypeParam>(positions, dimension);
+            return int{detect(rival<TypeParam>(dimension, "cover vector", ""), state)[0]};
+        };
+        EXPECT_EQ(with(0, 5), 1);
+        EXPECT_EQ(with(28, 0.5), 0);
+        EXPECT_EQ(with(28, 1.9), 0);
+        EXPECT_EQ(with(32, 0.5), 1);
+        EXPECT_EQ(with(32, 1.9), 1);
+    }
+}
+
+// Neighbors on a circle around one, all on one side but for one straight ahead.
+TYPED_TEST(DetectorTest, CoverVectorTakesFewNeighborsForASurface) {
+    const auto seen = [](int count) {
+        Positions positions = {{0, 0, 0}, {0, 1, 0}, {0, 0, 0}}; // the last has no direction
+        for (int n = 1; n < count; ++n)
+            positions.push_back({0.1 * n - 0.05 * count, -1, 0});
+        const auto state = made_state<TypeParam>(positions, 2);
+        return int{detect(rival<TypeParam>(2, "cover vector", ""), state)[0]};
+    };
+    EXPECT_EQ(seen(4), 1);
+    EXPECT_EQ(seen(5), 0);
+}
+
+/// A lattice within 8 spacings of its middle.
+Positions ball() {
     Positions positions;
     for (int x = -8; x <= 8; ++x)
         for (int y = -8; y <= 8; ++y)
             for (int z = -8; z <= 8; ++z)
                 if (x * x + y * y + z * z <= 64)
                     positions.push_back({double(x), double(y), double(z)});
+    return positions;
+}
+
+TYPED_TEST(DetectorTest, OutermostLayerOfABallAndNotItsMiddle) {
+    const Positions positions = ball();
+    const auto state = made_state<TypeParam>(positions, 3);
+    for (const auto& detector : {rival<TypeParam>(3, "cover vector", ""),
+                                 rival<TypeParam>(3, "divergence", "then cone")}) {
+        const auto surface = detect(detector, state);
+        for (std::size_t i = 0; i < state.size(); ++i) {
+            const auto& p = positions[i];
+            const double radius = std::hypot(p[0], p[1], p[2]);
+            if (radius > 7.8) {
+                EXPECT_EQ(surface[i], 1) << detector.name << " at " << radius;
+            }
+            if (radius < 6) {
+                EXPECT_EQ(surface[i], 0) << detector.name << " at " << radius;
+            }
+        }
+    }
+}
+
+TYPED_TEST(DetectorTest, VisibilityFindsTheOutermostLayerOfABallAlone) {
+    const Positions positions = ball();
     const auto state = made_state<TypeParam>(positions, 3);
     std::vector<Detector<TypeParam>> all;
     add_visibility_detectors(3, all);

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 #include <functional>
 #include <limits>
@@ -106,11 +107,28 @@ void expect_shipped_line(bool paper) {
     meniscus_options options;
     (paper ? meniscus_options_paper : meniscus_options_init)(&options, sizeof options);
     const Found found = found_by(options);
-    options.k = shipped_surface_line(Dimension).k;
-    options.d = shipped_surface_line(Dimension).d;
+    const SurfaceTensionOptions shipped = completed({}, Dimension);
+    options.k = shipped.k;
+    options.d = shipped.d;
+    options.boundary_weight = shipped.boundary_weight;
+    EXPECT_FALSE(found == found_by(options)); // one line alone leaves more candidates
+    const SecondLine& line = shipped.second_line;
+    const meniscus_second_line second = {
+        {feature_list[line.x].name, feature_list[line.y].name}, line.k, line.d, line.above};
+    options.second_line = &second;
     EXPECT_TRUE(found == found_by(options));
-    options.d = 0;
-    EXPECT_FALSE(found == found_by(options));
+    const meniscus_second_line unknown = {{"mass_offset", "pressure"}, 1, 1, 0};
+    options.second_line = &unknown;
+    meniscus_surface* surface = nullptr;
+    EXPECT_EQ(meniscus_create(&surface, &options, Dimension, MENISCUS_DOUBLE),
+              MENISCUS_BAD_ARGUMENT);
+    EXPECT_NE(std::string(meniscus_last_error()).find("second_line"), std::string::npos);
+    options.second_line = nullptr;
+    options.k = options.d = std::nan("");
+    options.spacing_ratio = 7;
+    EXPECT_EQ(meniscus_create(&surface, &options, Dimension, MENISCUS_DOUBLE),
+              MENISCUS_BAD_ARGUMENT);
+    EXPECT_NE(std::string(meniscus_last_error()).find("spacing_ratio is 7"), std::string::npos);
 }
 
 TEST(CInterface, TakesTheLineOfTheDimension) {
@@ -310,7 +328,7 @@ void expect_same_options(const meniscus_options& a, const meniscus_options& b) {
 
 TEST(CInterface, HasTheOptionsOfTheTable) {
     std::size_t size = sizeof(meniscus_options::size) + sizeof(meniscus_options::curvature_map) +
-                       sizeof(meniscus_options::threads);
+                       sizeof(meniscus_options::second_line) + sizeof(meniscus_options::threads);
 #define MENISCUS_ROW(name, range, only_sampled, unit, meaning)                                     \
     size += sizeof(meniscus_options::name);
     MENISCUS_SURFACE_TENSION_OPTIONS(MENISCUS_ROW)

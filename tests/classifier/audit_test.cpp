@@ -78,7 +78,7 @@ TEST(Audit, MassesWeighTheOffset) {
 
 TEST(Audit, CountsTheBoundaryWhereTheModelDoes) {
     Model model = chain_model();
-    model.boundary_counts = true;
+    model.boundary_weight = test::weight_of_one;
     AuditRow row = audited(chain_between_walls(), model, 0);
     EXPECT_EQ(row.features_differ, 0U);
     EXPECT_EQ(row.false_negatives, 3U); // both ends of the row have two neighbors now
@@ -96,15 +96,16 @@ TEST(Audit, CountsTheBoundaryWhereTheModelDoes) {
     EXPECT_EQ(row.false_negatives, 2U);
 }
 
-TEST(Audit, BoundaryParticlesHaveTheMeanMass) {
+TEST(Audit, BoundaryParticlesHaveTheMeanMassOfTheNeighbors) {
     Snapshot snapshot = chain_between_walls();
-    // The mean over the valid particles is 3. The offset of particle 4, between masses 1 and 3, is
-    // 0.5 (3 - 1) / 4 = 0.25.
-    set_array(snapshot, {"mass", 1, std::vector<double>{1, 1, 1, 1, 1, 13, 500}});
+    // Particle 4 stands between a neighbor of mass 7 and a boundary particle that stands for three
+    // of them: an offset of 0.5 (21 - 7) / 28 = 0.25, and four neighbors.
+    set_array(snapshot, {"mass", 1, std::vector<double>{1, 1, 1, 7, 1, 13, 500}});
+    snapshot.particle_volume = *snapshot.particle_volume / 3;
     Model model = chain_model();
-    model.boundary_counts = true;
+    model.boundary_weight = test::weight_of_one;
     for (const double below : {0.1, -0.1}) {
-        model.line = {10, -0.5 + below}; // 2 <= 10 * 0.25 - 0.5 + below
+        model.line = {100, -21 + below}; // 4 <= 100 * 0.25 - 21 + below
         const AuditRow row = audited(snapshot, model, 0);
         EXPECT_EQ(row.false_positives, below > 0 ? 1U : 0U);
         EXPECT_EQ(row.false_positives_float, below > 0 ? 1U : 0U);
@@ -130,8 +131,8 @@ TEST(Audit, RefusesModelsOfAnotherKind) {
     EXPECT_THROW(audited(chain(), model, 0), InputError);
     EXPECT_THROW(audited(chain_between_walls(), chain_model(), 0), InputError);
     model = chain_model();
-    model.boundary_counts = true;
-    EXPECT_THROW(audited(chain(), model, 0), InputError);
+    model.boundary_weight = test::weight_of_one;
+    EXPECT_NO_THROW(audited(chain(), model, 0)); // which has no boundary to count
     EXPECT_THROW(audited(chain(), chain_model(), 1), InputError);
 }
 

@@ -11,6 +11,7 @@
 #include <meniscus/classifier/objectives/trainer.hpp>
 #include <meniscus/data/particles/feature_names.hpp>
 #include <meniscus/data/text/errors.hpp>
+#include <meniscus/data/text/text.hpp>
 #include <meniscus/labeler/labeler.hpp>
 
 #include <algorithm>
@@ -182,11 +183,6 @@ TEST(FeatureLines, SayWhatCannotBe) {
     options = {};
     options.keep_k = train({labelled_state(snapshot, "block.vtkhdf")}, {});
     has(error_of([&] { train({state}, options); }), "--features mass_offset,neighbor_count");
-    has(error_of([&] {
-            LabelledState relative = state;
-            make_relative(relative);
-        }),
-        "mass_offset,neighbor_count");
     Snapshot plain = snapshot;
     const SupportRadii radii = 2.0;
     add_labels(plain, label_particles(plain, radii, {}), radii, {});
@@ -210,7 +206,8 @@ protected:
         source << "};\nconst double masses[] = {";
         for (const double mass : scalar_values(snapshot, "mass"))
             source << mass << ",";
-        source << R"(};
+        source << "};\nconstexpr double spacing_ratio = "
+               << number_text(*labelled_state(snapshot, "block.vtkhdf").spacing_ratio) << R"(;
 int main() {
     constexpr int dimension = meniscus::Line::dimension;
     const std::size_t count = sizeof masses / sizeof *masses;
@@ -223,7 +220,9 @@ int main() {
         }
     };
     static std::uint8_t surface[count];
-    meniscus::classify<meniscus::Line, double, dimension>(view, 0, count, 2.0, surface);
+    meniscus::classify<meniscus::Line, double, dimension>(
+        view, meniscus::NoBoundary{}, 0, count, meniscus::UniformRadius<double>{2.0}, spacing_ratio,
+        surface);
     for (const auto one : surface)
         std::putchar('0' + one);
 }

@@ -85,8 +85,9 @@ TEST_F(HeaderExport, SaysWhetherBoundaryParticlesCount) {
     Model model = example();
     EXPECT_NE(coefficient_header(model, "Line").find("boundary particles do not count.\n"),
               std::string::npos);
-    model.boundary_counts = true;
-    EXPECT_NE(coefficient_header(model, "Line").find("boundary particles count.\n"),
+    model.boundary_weight = 0.85;
+    EXPECT_NE(coefficient_header(model, "Line")
+                  .find("boundary particles count by 0.85 of their volume.\n"),
               std::string::npos);
 }
 

@@ -3,6 +3,8 @@
 
 #include <meniscus/classifier/model/model.hpp>
 #include <meniscus/data/particles/snapshot.hpp>
+#include <meniscus/data/text/text.hpp>
+#include <meniscus/runtime/math/angles.hpp>
 
 #include <limits>
 
@@ -16,9 +18,10 @@ inline Snapshot chain() {
     snapshot.positions = {{0, 0, 0}, {0.5, 0, 0}, {1, 0, 0},  {1.5, 0, 0},
                           {2, 0, 0}, {10, 0, 0},  {nan, 0, 0}};
     snapshot.support_radius = 1;
-    snapshot.particle_spacing = 0.5;
+    snapshot.particle_volume = 0.125; // h is two spacings of particles at rest
     snapshot.scene = "chain";
     snapshot.provenance["radius_ratio"] = "0.8";
+    snapshot.provenance["boundary_weight"] = "0";
     set_array(snapshot,
               {"uncovered_fraction", 1, std::vector<double>{0.3, 0.005, 0.01, 0, 0, 1, 0}});
     set_array(snapshot, {"valid", 1, std::vector<std::uint8_t>{1, 1, 1, 1, 1, 1, 0}});
@@ -27,14 +30,17 @@ inline Snapshot chain() {
     return snapshot;
 }
 
+/// With it a boundary particle that is alone, of volume pi / 8 h^3, counts as one of the chain.
+inline constexpr double weight_of_one = 1 / pi;
+
 /// The same between two walls that count, half a support radius off its ends: 2 2 2 2 2 neighbors
 /// at no mass offset.
 inline Snapshot chain_between_walls() {
     Snapshot snapshot = chain();
     snapshot.boundary = {{-0.5, 0, 0}, {2.5, 0, 0}};
-    snapshot.provenance["boundary_rule"] = "boundary particles count";
+    snapshot.provenance["boundary_weight"] = number_text(weight_of_one);
     set_array(snapshot, {"mass_offset", 1, std::vector<double>{0, 0, 0, 0, 0, 0, 0}});
-    set_array(snapshot, {"neighbor_count", 1, std::vector<std::uint32_t>{2, 2, 2, 2, 2, 0, 0}});
+    set_array(snapshot, {"neighbor_count", 1, std::vector<double>{2, 2, 2, 2, 2, 0, 0}});
     return snapshot;
 }
 

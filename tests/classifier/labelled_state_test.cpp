@@ -29,7 +29,8 @@ TEST(LabelledState, HoldsTheValidParticlesInOrder) {
     EXPECT_EQ(state.uncovered_fraction[5], 1);
     EXPECT_EQ(state.support_radius, 1);
     EXPECT_EQ(state.radius_ratio, 0.8);
-    EXPECT_EQ(spacing_ratio(state), 2);
+    EXPECT_EQ(state.spacing_ratio, 2);
+    EXPECT_EQ(state.count_scale, 1);
     EXPECT_EQ(bulk_neighbor_count(state), 1);
 }
 
@@ -47,6 +48,9 @@ TEST(LabelledState, NamesTheArrayThatIsMissing) {
     Snapshot snapshot = chain();
     snapshot.provenance.clear();
     EXPECT_NE(refusal_of(snapshot).find("radius_ratio"), std::string::npos);
+    snapshot = chain();
+    snapshot.particle_volume.reset();
+    EXPECT_NE(refusal_of(snapshot).find("particle_volume"), std::string::npos);
     snapshot = chain();
     snapshot.support_radius.reset();
     EXPECT_NE(refusal_of(snapshot).find("support radius"), std::string::npos);
@@ -85,31 +89,30 @@ TEST(LabelledState, ParticlesThatAreNotValidMayHoldAnything) {
     EXPECT_EQ(labelled_state(snapshot, "chain.vtkhdf").size(), 6U);
 }
 
-TEST(LabelledState, SaysWhetherBoundaryParticlesCount) {
-    Snapshot snapshot = chain();
-    EXPECT_FALSE(labelled_state(snapshot, "chain.vtkhdf").boundary_counts);
-    snapshot.provenance["boundary_rule"] = "boundary particles do not count";
-    EXPECT_FALSE(labelled_state(snapshot, "chain.vtkhdf").boundary_counts);
-    EXPECT_TRUE(labelled_state(chain_between_walls(), "chain.vtkhdf").boundary_counts);
-    for (const char* rule : {"", "yes", "boundary particles count twice"}) {
-        snapshot.provenance["boundary_rule"] = rule;
+TEST(LabelledState, SaysByWhatWeightBoundaryParticlesCount) {
+    EXPECT_FALSE(labelled_state(chain(), "chain.vtkhdf").boundary_weight); // there is none
+    EXPECT_EQ(labelled_state(chain_between_walls(), "chain.vtkhdf").boundary_weight,
+              test::weight_of_one);
+    for (const char* weight : {"", "yes", "-1", "11", "nan"}) {
+        Snapshot snapshot = chain();
+        snapshot.provenance["boundary_weight"] = weight;
         const std::string error = refusal_of(snapshot);
-        EXPECT_NE(error.find("'boundary_rule'"), std::string::npos) << error;
+        EXPECT_NE(error.find("'boundary_weight'"), std::string::npos) << error;
         EXPECT_NE(error.find("label the snapshot again"), std::string::npos) << error;
     }
 }
 
-TEST(LabelledState, AWallMayAddToTheNeighborsOfFewParticles) {
+TEST(LabelledState, AWallMayAddAnyNumberOfNeighbors) {
     Snapshot snapshot = chain_between_walls();
-    const auto with_count = [&](std::uint32_t count) {
-        set_array(snapshot,
-                  {"neighbor_count", 1, std::vector<std::uint32_t>{2, 2, 2, count, 2, 0, 0}});
+    const auto with_count = [&](double count) {
+        set_array(snapshot, {"neighbor_count", 1, std::vector<double>{2, 2, 2, count, 2, 0, 0}});
         return snapshot;
     };
-    EXPECT_EQ(labelled_state(with_count(9), "chain.vtkhdf").neighbor_count[3], 9);
-    EXPECT_NE(refusal_of(with_count(10)).find("particle 3 is 10"), std::string::npos);
-    snapshot.provenance.erase("boundary_rule");
+    EXPECT_EQ(labelled_state(with_count(19.5), "chain.vtkhdf").neighbor_count[3], 19.5);
+    EXPECT_NE(refusal_of(with_count(5e9)).find("particle 3 is 5"), std::string::npos);
+    snapshot.provenance["boundary_weight"] = "0";
     EXPECT_NE(refusal_of(with_count(9)).find("particle 3 is 9"), std::string::npos);
+    EXPECT_NE(refusal_of(with_count(1.5)).find("whole numbers"), std::string::npos);
 }
 
 TEST(LabelledState, BulkNeighborCountNeedsCoveredParticles) {

@@ -54,15 +54,12 @@ TEST(Model, ReadsBackToTheSameBits) {
     EXPECT_EQ(read.file, "line.json");
 }
 
-TEST(Model, SaysWhetherBoundaryParticlesCount) {
-    for (const bool counts : {false, true}) {
-        Model model = example();
-        model.boundary_counts = counts;
-        const std::string text = model_to_json(model);
-        EXPECT_EQ(Json::parse(text)["boundary_rule"],
-                  counts ? "boundary particles count" : "boundary particles do not count");
-        EXPECT_EQ(model_from_json(text, "line.json").boundary_counts, counts);
-    }
+TEST(Model, SaysByWhatWeightBoundaryParticlesCount) {
+    Model model = example();
+    model.boundary_weight = 0.85;
+    const std::string text = model_to_json(model);
+    EXPECT_EQ(Json::parse(text)["boundary_weight"], 0.85);
+    EXPECT_EQ(model_from_json(text, "line.json").boundary_weight, 0.85);
 }
 
 TEST(Model, ReadsBackWithoutRangesAndFiles) {
@@ -141,8 +138,9 @@ TEST(Model, RefusesImplausibleValues) {
         {"features", {"neighbor_count", "neighbor_count"}},
         {"features", {"neighbor_count", "offset"}},
         {"features", {"relative_neighbor_count", "mass_offset"}},
-        {"boundary_rule", "boundary particles count half"},
-        {"boundary_rule", ""},
+        {"boundary_weight", "by volume"},
+        {"boundary_weight", -1},
+        {"reference_spacing_ratio", "2"},
         {"format", "something else"},
         {"format_version", 2},
     };
@@ -183,13 +181,11 @@ TEST(ModelUse, OfAnotherKindIsRefused) {
     EXPECT_THROW(check_dimension(model, 2, "a.vtkhdf"), InputError);
     EXPECT_NO_THROW(check_radius_ratio(model, 0.8, "a.vtkhdf"));
     EXPECT_THROW(check_radius_ratio(model, 0.75, "a.vtkhdf"), InputError);
-    EXPECT_NO_THROW(check_boundary_rule(model, false, "a.vtkhdf"));
-    EXPECT_EQ(error_of<InputError>([&] { check_boundary_rule(model, true, "a.vtkhdf"); }),
-              "model line.json was trained by the rule 'boundary particles do not count', a.vtkhdf "
-              "was labelled by 'boundary particles count'; label it without --boundary-counts");
-    model.boundary_counts = true;
-    EXPECT_NO_THROW(check_boundary_rule(model, true, "a.vtkhdf"));
-    EXPECT_THROW(check_boundary_rule(model, false, "a.vtkhdf"), InputError);
+    EXPECT_NO_THROW(check_boundary_weight(model, 0, "a.vtkhdf"));
+    EXPECT_EQ(error_of<InputError>([&] { check_boundary_weight(model, 0.85, "a.vtkhdf"); }),
+              "model line.json was trained with boundary weight 0, a.vtkhdf was labelled with "
+              "0.85; label it with --boundary-weight 0.0");
+    EXPECT_NO_THROW(check_boundary_weight(model, {}, "a.vtkhdf"));
 }
 
 TEST(ModelUse, OutsideTheTrainedRangeDrawsOneWarning) {

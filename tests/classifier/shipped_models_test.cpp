@@ -3,7 +3,6 @@
 #include <meniscus/classifier/model/model.hpp>
 #include <meniscus/runtime/coefficients/surface_2d_wide.hpp>
 #include <meniscus/runtime/coefficients/surface_3d.hpp>
-#include <meniscus/runtime/coefficients/surface_3d_relative.hpp>
 #include <meniscus/runtime/coefficients/surface_3d_strict.hpp>
 #include <meniscus/runtime/coefficients/surface_3d_wide.hpp>
 #include <meniscus/runtime/features/shipped_surface_line.hpp>
@@ -29,16 +28,15 @@ std::string runtime_header(const std::string& name) {
 }
 
 TEST(ShippedModels, HeadersAreExportedFromThem) {
-    EXPECT_EQ(coefficient_header(shipped("surface_3d"), "Surface3D"), runtime_header("surface_3d"));
     EXPECT_EQ(coefficient_header(shipped("surface_3d_strict"), "Surface3DStrict"),
               runtime_header("surface_3d_strict"));
-    EXPECT_EQ(coefficient_header(shipped("surface_3d_relative"), "Surface3DRelative"),
-              runtime_header("surface_3d_relative"));
-    EXPECT_EQ(coefficient_header(shipped("surface_3d_wide"), "Surface3DWide"),
-              runtime_header("surface_3d_wide"));
-    EXPECT_EQ(coefficient_header(shipped("surface_2d"), "Surface2D"), runtime_header("surface_2d"));
-    EXPECT_EQ(coefficient_header(shipped("surface_2d_wide"), "Surface2DWide"),
-              runtime_header("surface_2d_wide"));
+    for (const std::string dimension : {"2", "3"})
+        for (const auto& [file, name] :
+             {std::pair{"", ""}, {"_wide", "Wide"}, {"_widest", "Widest"}}) {
+            const std::string model = "surface_" + dimension + "d" + file;
+            EXPECT_EQ(coefficient_header(shipped(model), "Surface" + dimension + "D" + name),
+                      runtime_header(model));
+        }
 }
 
 CurvatureModel shipped_curvature(const std::string& name) {
@@ -70,28 +68,50 @@ TEST(ShippedModels, HeadersSayWhatTheModelsSay) {
     EXPECT_EQ(shipped("surface_3d").line.k, Surface3D::k);
     EXPECT_EQ(shipped("surface_3d").line.d, Surface3D::d);
     EXPECT_EQ(Surface3DStrict::label_threshold, 0);
-    EXPECT_EQ(Surface3DRelative::reference_neighbor_count, 40);
     EXPECT_EQ(Surface2D::dimension, 2);
-    EXPECT_EQ(Surface3DWide::min_spacing_ratio, 2.5);
+    EXPECT_NEAR(Surface3DWide::min_spacing_ratio, 2.5, 1e-9);
 }
 
+/// The options of the runtime at so many spacings, made of a header and of a model.
 template <int Dimension>
-void expect_line_of(const std::string& name) {
-    const Line line = shipped(name).line;
-    for (const auto& options : {SurfaceTensionOptions{}, paper_options()}) {
-        EXPECT_EQ(completed(options, Dimension).k, line.k);
-        EXPECT_EQ(completed(options, Dimension).d, line.d);
+void expect_classifier_of(const std::string& name, double spacing_ratio) {
+    for (SurfaceTensionOptions options : {SurfaceTensionOptions{}, paper_options()}) {
+        options.spacing_ratio = spacing_ratio;
+        const SurfaceTensionOptions found = completed(options, Dimension);
+        set_classifier(options, shipped(name));
+        EXPECT_NEAR(found.k, options.k, 1e-9 * options.k) << name;
+        EXPECT_NEAR(found.d, options.d, 1e-9 * options.d);
+        EXPECT_EQ(found.boundary_weight, options.boundary_weight);
+        EXPECT_TRUE(found.second_line.is_there);
+        EXPECT_EQ(found.second_line.x, options.second_line.x);
+        EXPECT_EQ(found.second_line.y, options.second_line.y);
+        EXPECT_NEAR(found.second_line.k, options.second_line.k, 1e-9 * options.second_line.k);
+        EXPECT_NEAR(found.second_line.d, options.second_line.d, 1e-9 * options.second_line.d);
     }
 }
 
-TEST(ShippedModels, TheRuntimeTakesTheOneOfItsDimension) {
-    expect_line_of<2>("surface_2d");
-    expect_line_of<3>("surface_3d");
+TEST(ShippedModels, TheRuntimeTakesTheOneOfItsDimensionAndRatio) {
+    expect_classifier_of<2>("surface_2d", 2.1);
+    expect_classifier_of<3>("surface_3d", 2);
+    expect_classifier_of<3>("surface_3d", 2.154);
+    expect_classifier_of<3>("surface_3d_wide", 2.6);
+    expect_classifier_of<2>("surface_2d_widest", 3.46);
+    expect_classifier_of<3>("surface_3d_widest", 4.2);
+    for (const int dimension : {2, 3}) {
+        SurfaceTensionOptions options;
+        options.spacing_ratio = 1.5; // as at 2, which lets more through
+        EXPECT_NEAR(completed(options, dimension).d, completed({}, dimension).d, 1e-9);
+        options.spacing_ratio = 5.5;
+        EXPECT_THROW(completed(options, dimension), std::invalid_argument);
+        options.k = options.d = 20; // of one's own
+        EXPECT_NO_THROW(completed(options, dimension));
+    }
 }
 
 TEST(ShippedModels, MissNothingThatTheyWereTrainedOn) {
-    for (const char* name : {"surface_3d", "surface_3d_strict", "surface_3d_relative",
-                             "surface_3d_wide", "surface_2d", "surface_2d_wide"})
+    for (const char* name :
+         {"surface_3d", "surface_3d_strict", "surface_3d_wide", "surface_3d_widest", "surface_2d",
+          "surface_2d_wide", "surface_2d_widest"})
         EXPECT_EQ(shipped(name).false_negatives, 0U) << name;
 }
 

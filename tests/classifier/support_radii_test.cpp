@@ -31,7 +31,7 @@ AuditRow audit_of(const Model& model, const Snapshot& snapshot, double label_thr
 class ShippedModelsOnDroplets : public testing::TestWithParam<const char*> {};
 
 INSTANTIATE_TEST_SUITE_P(Models, ShippedModelsOnDroplets,
-                         testing::Values("surface_3d", "surface_3d_relative"),
+                         testing::Values("surface_3d", "surface_3d_wide"),
                          [](const auto& info) { return std::string(info.param); });
 
 TEST_P(ShippedModelsOnDroplets, MissNoWideOpening) {
@@ -55,18 +55,18 @@ TEST_P(ShippedModelsOnDroplets, MissNoWideOpening) {
 
 TEST(SupportRadiiOfClasses, FeaturesAreThoseOfTheLabels) {
     for (const int dimension : {2, 3})
-        for (const bool boundary_counts : {false, true}) {
+        for (const double boundary_weight : {0.0, 0.85}) {
             Droplet drop = test::graded(dimension, dimension == 2 ? 30 : 10, 2.3);
             // A wall through the middle, of another spacing.
             const double far = drop.snapshot.positions.back()[0];
             for (double y = -30; y < 30; y += 0.7)
                 drop.snapshot.boundary.push_back({far, y, 0});
             LabelOptions options;
-            options.boundary_counts = boundary_counts;
+            options.boundary_weight = boundary_weight;
             const Snapshot snapshot = labelled(drop, options);
             Model model;
             model.dimension = dimension;
-            model.boundary_counts = boundary_counts;
+            model.boundary_weight = boundary_weight;
             model.line = {40, 10};
             const AuditRow row = audit_of(model, snapshot, 0);
             EXPECT_EQ(row.features_differ, 0U);
@@ -113,10 +113,10 @@ TEST(SupportRadiiOfClasses, AreReadWithTheLabels) {
     snapshot.particle_spacing = 1;
     const LabelledState state = labelled_state(snapshot, "halves.vtkhdf");
     EXPECT_FALSE(state.support_radius);
-    EXPECT_FALSE(spacing_ratio(state));
+    EXPECT_FALSE(state.spacing_ratio);
     EXPECT_EQ(state.neighbor_count, scalar_values(snapshot, "neighbor_count"));
     Model model;
-    model.spacing_ratio = Range{2, 2};
+    model.spacing_ratio = Range{1, 4};
     EXPECT_TRUE(classify_snapshot(snapshot, model, {}).warnings.empty());
 
     auto counts = state.neighbor_count;

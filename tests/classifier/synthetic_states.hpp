@@ -22,7 +22,7 @@ inline LabelledState state_of(const std::string& scene,
     state.scene = scene;
     state.support_radius = 0.1;
     state.radius_ratio = 0.8;
-    state.particle_spacing = 0.05;
+    state.spacing_ratio = 2;
     for (const LabelledParticle& particle : particles) {
         state.first.push_back(particle.mass_offset);
         state.neighbor_count.push_back(particle.neighbor_count);

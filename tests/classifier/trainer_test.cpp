@@ -4,6 +4,7 @@
 #include <meniscus/classifier/objectives/scene_errors.hpp>
 #include <meniscus/classifier/objectives/shift.hpp>
 #include <meniscus/classifier/objectives/trainer.hpp>
+#include <meniscus/data/particles/particle_volumes.hpp>
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/runtime/features/classifier.hpp>
 
@@ -72,7 +73,7 @@ TEST(Errors, AreCountedByScene) {
 TEST(Train, DescribesItsTrainingSet) {
     auto states = good_states();
     states[0].hash = "abc";
-    states[1].particle_spacing = 0.04;
+    states[1].spacing_ratio = 2.5;
     const Model model = train(states, {});
     EXPECT_EQ(model.objective, "neyman-pearson");
     EXPECT_EQ(model.false_negatives, 0U);
@@ -84,16 +85,17 @@ TEST(Train, DescribesItsTrainingSet) {
     EXPECT_EQ(model.training_files[0].hash, "abc");
     EXPECT_EQ(model.training_files[0].particles, 3000U);
     EXPECT_EQ(model.training_files[0].surface_particles, 1000U);
-    EXPECT_FALSE(model.boundary_counts);
+    EXPECT_EQ(model.boundary_weight, default_boundary_weight); // there is no boundary
     for (LabelledState& state : states)
-        state.boundary_counts = true;
-    EXPECT_TRUE(train(states, {}).boundary_counts);
+        state.boundary_weight = 0.5;
+    EXPECT_EQ(train(states, {}).boundary_weight, 0.5);
 }
 
 TEST(Train, KeepsTheSlopeOfAnotherModel) {
     TrainingOptions options;
     options.keep_k = Model{};
     options.keep_k->line = {74.6888, 28};
+    options.keep_k->reference_spacing_ratio = reference_spacing_ratio;
     const Model model = train(good_states(), options);
     EXPECT_EQ(model.line.k, 74.6888);
     EXPECT_EQ(model.line.d, min_d(good_states(), 0, 74.6888));
@@ -122,15 +124,17 @@ TEST(Train, RefusesWhatItCannotTrainOn) {
     mixed[1].radius_ratio = 0.7;
     EXPECT_NE(training_error(mixed, {}).find("0.7"), std::string::npos);
     mixed = good_states();
-    mixed[1].boundary_counts = true;
+    mixed[0].boundary_weight = 0;
+    mixed[1].boundary_weight = 0.5;
     EXPECT_EQ(training_error(mixed, {}),
-              "droplet.vtkhdf was labelled by the rule 'boundary particles do not count' and "
-              "dam.vtkhdf by 'boundary particles count'; label both with --boundary-counts or both "
-              "without");
+              "droplet.vtkhdf was labelled with boundary weight 0 and dam.vtkhdf with 0.5; label "
+              "them with the same --boundary-weight");
     TrainingOptions options;
     options.keep_k = Model{};
-    options.keep_k->boundary_counts = true;
-    EXPECT_NE(training_error(good_states(), options).find("--boundary-counts"), std::string::npos);
+    options.keep_k->reference_spacing_ratio = reference_spacing_ratio;
+    options.keep_k->boundary_weight = 0.25;
+    EXPECT_NE(training_error(mixed = {mixed[1]}, options).find("--boundary-weight"),
+              std::string::npos);
     options = {};
     options.objective = "guess";
     EXPECT_NE(training_error(good_states(), options).find("guess"), std::string::npos);

@@ -112,12 +112,6 @@ TEST(ParticleArrays, FloatingPointIntegersMustBeWhole) {
     }
 }
 
-TEST(ParticleArrays, MeanMassIsThatOfTheValidParticles) {
-    EXPECT_EQ(mean_mass({1, 100, 4}, {1, 0, 1}), 2.5);
-    EXPECT_EQ(mean_mass({}, all_valid), 1);
-    EXPECT_EQ(mean_mass({7, 7, 7}, {0, 0, 0}), 1);
-}
-
 TEST(ParticleArrays, NeedsOneValueAParticle) {
     Snapshot snapshot;
     snapshot.positions = {{0, 0, 0}};

@@ -490,6 +490,13 @@ void add_odd_numbers(int dimension, std::vector<HardCase>& all) {
 
 } // namespace
 
+double spacing_of(const HardCase& hard_case) {
+    const auto starts_with = [&](const char* text) { return hard_case.name.rfind(text, 0) == 0; };
+    const bool is_unit = starts_with("lattice_h_2_5") || starts_with("mean_count_") ||
+                         starts_with("over_1000_neighbors");
+    return is_unit ? 1 : hard_case.support_radius / 2;
+}
+
 std::vector<HardCase> hard_cases(int dimension) {
     std::vector<HardCase> all;
     add_few_particles(dimension, all);

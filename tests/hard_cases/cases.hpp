@@ -51,6 +51,9 @@ struct HardCase {
     }
 };
 
+/// Lattices of the cases have a spacing of 1, or in scaled ones of half the support radius; m.
+double spacing_of(const HardCase& hard_case);
+
 /// All cases of a dimension of 2 or 3. Names are unique, of lower-case letters, digits and
 /// underscores.
 std::vector<HardCase> hard_cases(int dimension);

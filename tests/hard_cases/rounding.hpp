@@ -11,6 +11,7 @@
 #include "host_state.hpp"
 
 #include <meniscus/labeler/labeler.hpp>
+#include <meniscus/runtime/features/shipped_surface_line.hpp>
 
 #include <algorithm>
 #include <cmath>

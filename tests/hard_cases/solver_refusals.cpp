@@ -103,8 +103,8 @@ void add_unknown_line(std::vector<Check>& checks) {
     checks.push_back(
         check_spoilt("wide_support_without_line",
                      "refused: the lines that ship would find no surface, and no tension would act",
-                     {"support radius", "2.75", "surface_tension.k"},
-                     [](Subject& subject) { subject.scene.particle_spacing = 0.25; }));
+                     {"spacing_ratio is 5,", "surface_tension.k", "model_file"},
+                     [](Subject& subject) { subject.scene.particle_spacing = 0.2; }));
 }
 
 void add_far_places(std::vector<Check>& checks) {

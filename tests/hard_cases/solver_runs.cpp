@@ -21,14 +21,6 @@ double length_of(const Place& vector) {
     return std::hypot(vector[0], vector[1], vector[2]);
 }
 
-/// Lattices of the cases have a spacing of 1, or in scaled ones of half the support radius.
-double spacing_of(const HardCase& hard_case) {
-    const auto starts_with = [&](const char* text) { return hard_case.name.rfind(text, 0) == 0; };
-    const bool is_unit = starts_with("lattice_h_2_5") || starts_with("mean_count_") ||
-                         starts_with("over_1000_neighbors");
-    return is_unit ? 1 : hard_case.support_radius / 2;
-}
-
 void look_at(const SimulationState& state, Outcome& outcome) {
     const std::size_t count = state.positions.size();
     outcome.places.resize(count);
@@ -118,7 +110,7 @@ SceneParticles particles_of(const Scene& scene, Positions places, std::vector<Pl
 
 Scene scene_of(const HardCase& hard_case, const Method& method) {
     Scene scene = plain_scene(method, hard_case.support_radius, spacing_of(hard_case));
-    if (scene.support_radius > 2.75 * scene.particle_spacing) { // no line ships: test all exactly
+    if (spacing_ratio(scene) > 4.7) { // no line ships: test all exactly
         scene.surface_tension.surface.k = 0;
         scene.surface_tension.surface.d = 1e6;
     }

@@ -1,6 +1,7 @@
 // Exact labels against Monte Carlo ones, which share nothing with them but the neighbors.
 #include "reference/exact_reference.hpp"
 #include <meniscus/data/formats/snapshot_files.hpp>
+#include <meniscus/data/particles/particle_volumes.hpp>
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/labeler/exact/exact_labels.hpp>
 #include <meniscus/labeler/labeler.hpp>
@@ -211,8 +212,9 @@ TEST(Boundary, ParticlesAtAWallAreNotAtTheSurface) {
         const Labels labels = label_particles(snapshot, 2.0, options);
         for (std::size_t i = 0; i < snapshot.size(); ++i)
             EXPECT_EQ(labels.surface[i] != 0, snapshot.positions[i][2] == 5) << "particle " << i;
-        // The features are those of the fluid alone.
-        const Labels with = labels;
+        // Where they only cover, the features are those of the fluid alone.
+        options.boundary_weight = 0;
+        const Labels with = label_particles(snapshot, 2.0, options);
         snapshot.boundary.clear();
         const Labels without = label_particles(snapshot, 2.0, options);
         EXPECT_EQ(with.neighbor_count, without.neighbor_count);
@@ -222,41 +224,93 @@ TEST(Boundary, ParticlesAtAWallAreNotAtTheSurface) {
     }
 }
 
+/// The volume that makes boundary particles weigh one each which are farther than h from all
+/// others.
+double volume_of_lone_boundary(int dimension, double h) {
+    return std::pow(h, dimension) / (dimension == 2 ? 40 / (7 * pi) : 8 / pi);
+}
+
 TEST(Boundary, CountsInTheFeaturesByOption) {
     Snapshot snapshot;
     // A particle between a fluid neighbor and a wall; one of another phase and one that is not
-    // finite, whose mass does not matter.
+    // finite.
     snapshot.positions = {{0, 0, 0}, {0.5, 0, 0}, {0, 0.5, 0}, {std::nan(""), 0, 0}};
-    set_array(snapshot, {"mass", 1, std::vector<double>{1, 3, 5, 100}}); // mean 3
+    set_array(snapshot, {"mass", 1, std::vector<double>{1, 3, 5, 100}});
     set_array(snapshot, {"phase", 1, std::vector<std::int32_t>{0, 0, 1, 0}});
-    // One within range of all; one closer than r1 - r2 and one beyond h, which do not count.
-    snapshot.boundary = {{0, -0.4, 0}, {0, 0.1, 0}, {0, 0, 5}};
+    // One within range of all, one beyond h; each stands for two particles.
+    snapshot.boundary = {{0, -0.4, 0}, {0, 0, 5}};
+    snapshot.particle_volume = volume_of_lone_boundary(3, 1) / 2;
     LabelOptions options;
     options.skip_invalid = true;
+    options.boundary_weight = 0;
     const Labels without = label_particles(snapshot, 1, options);
     EXPECT_EQ(without.neighbor_count, (std::vector<double>{1, 1, 0, 0}));
-    options.boundary_counts = true;
+    options.boundary_weight = 1;
     const Labels with = label_particles(snapshot, 1, options);
-    EXPECT_EQ(with.neighbor_count, (std::vector<double>{2, 3, 2, 0}));
-    // (3 (0.5, 0) + 3 (0, -0.4)) / (3 + 3)
-    EXPECT_NEAR(with.mass_offset[0], std::hypot(0.25, 0.2), 1e-15);
-    // (1 (-0.5, 0) + 3 (-0.5, -0.4) + 3 (-0.5, 0.1)) / 7
-    EXPECT_NEAR(with.mass_offset[1], std::hypot(0.5, 0.9 / 7), 1e-15);
+    for (std::size_t i = 0; i < snapshot.size(); ++i)
+        EXPECT_NEAR(with.neighbor_count[i], (std::array{3, 3, 2, 0}[i]), 1e-14);
+    // A boundary particle has the mean mass of the fluid neighbors, twice:
+    // (3 (0.5, 0) + 6 (0, -0.4)) / (3 + 6)
+    EXPECT_NEAR(with.mass_offset[0], std::hypot(0.5 / 3, 0.8 / 3), 1e-14);
+    // (1 (-0.5, 0) + 2 (-0.5, -0.4)) / 3
+    EXPECT_NEAR(with.mass_offset[1], std::hypot(0.5, 0.8 / 3), 1e-14);
+    EXPECT_NEAR(with.mass_offset[2], 0.9, 1e-14); // beside nothing but the wall
     EXPECT_EQ(with.uncovered_fraction, without.uncovered_fraction);
     snapshot.boundary.clear();
     EXPECT_EQ(label_particles(snapshot, 1, options).neighbor_count, without.neighbor_count);
 }
 
+/// One layer stands for the half-space behind it, by its own volumes: beside it a particle has
+/// about as many neighbors as inside, and its offset all but vanishes.
 TEST(Boundary, ThatCountsMakesAWallLookLikeFluid) {
-    const Snapshot snapshot = basin(6);
+    Snapshot snapshot = basin(9);
     LabelOptions options;
-    options.boundary_counts = true;
-    const Labels labels = label_particles(snapshot, 2.0, options);
-    for (std::size_t i = 0; i < snapshot.size(); ++i)
-        if (snapshot.positions[i][2] < 5) {
-            EXPECT_EQ(labels.neighbor_count[i], 26) << "particle " << i;
-            EXPECT_NEAR(labels.mass_offset[i], 0, 1e-15) << "particle " << i;
+    for (const bool counts : {false, true}) {
+        options.boundary_weight = counts ? 1 : 0;
+        const Labels labels = label_particles(snapshot, 2.1, options);
+        for (std::size_t i = 0; i < snapshot.size(); ++i) {
+            const auto& at = snapshot.positions[i];
+            const bool at_floor = at[2] == 0 && at[0] > 2 && at[0] < 6 && at[1] > 2 && at[1] < 6;
+            if (at_floor && counts) {
+                EXPECT_NEAR(labels.neighbor_count[i], 32, 4) << "particle " << i;
+                EXPECT_LT(labels.mass_offset[i], 0.08) << "particle " << i;
+            } else if (at_floor) {
+                EXPECT_LT(labels.neighbor_count[i], 24) << "particle " << i;
+                EXPECT_GT(labels.mass_offset[i], 0.15) << "particle " << i;
+            }
         }
+    }
+}
+
+/// Volumes by hand: a row of boundary particles half of h apart, and a fluid of known volume.
+TEST(Boundary, WeighsByItsVolume) {
+    Snapshot snapshot;
+    snapshot.dimension = 2;
+    snapshot.positions = {{0, 0, 0}, {10, 0, 0}};
+    for (int x = -6; x <= 6; ++x)
+        snapshot.boundary.push_back({0.5 * x, 1, 0});
+    snapshot.particle_volume = 0.2;
+    const std::vector<std::uint8_t> valid(2, 1);
+    const auto weights =
+        boundary_weights(snapshot, 1.0, valid, measured_spacing_ratio(snapshot, 1.0, valid, 1), 1);
+    const double scale = 40 / (7 * pi);
+    EXPECT_NEAR(weights.of(6, 1, 2), 1 / (scale * (1 + 2 * 0.25)) / 0.2, 1e-14);
+    EXPECT_NEAR(weights.of(0, 1, 2), 1 / (scale * (1 + 0.25)) / 0.2, 1e-14); // at the end
+    EXPECT_NEAR(weights.of(6, 2, 2), weights.of(6, 1, 2) / 4, 1e-14);
+    // Without one, that of a fluid of the same spacing is measured.
+    snapshot.particle_volume.reset();
+    snapshot.positions.clear();
+    for (int x = 0; x < 40; ++x)
+        for (int y = 0; y < 40; ++y)
+            snapshot.positions.push_back({0.5 * x, 0.5 * y, 0});
+    const std::vector<std::uint8_t> all(1600, 1);
+    const double ratio = measured_spacing_ratio(snapshot, 1.0, all, 1);
+    const auto measured = boundary_weights(snapshot, 1.0, all, ratio, 1);
+    const double inside = 1 + 4 * 0.25 + 4 * 2 * std::pow(1 - std::sqrt(0.5), 3);
+    EXPECT_NEAR(measured.of(6, 1, 2), inside / 1.5, 1e-12);
+    EXPECT_NEAR(ratio, std::sqrt(scale * inside), 1e-12);
+    snapshot.particle_spacing = 0.25; // which says that the fluid is spread thin
+    EXPECT_EQ(measured_spacing_ratio(snapshot, 1.0, all, 1), 4);
 }
 
 TEST(Boundary, MustBeFiniteAndInTheFluidsPlane) {

@@ -232,16 +232,19 @@ TEST(Labeler, AddsArraysAndProvenance) {
         EXPECT_NE(find_array(snapshot, name), nullptr) << name;
     EXPECT_EQ(snapshot.provenance.at("method"), "monte-carlo");
     EXPECT_EQ(snapshot.provenance.at("samples"), "100000");
-    EXPECT_EQ(snapshot.provenance.at("boundary_rule"), "boundary particles do not count");
-    options.boundary_counts = true; // which holds without any of them, too
+    EXPECT_EQ(snapshot.provenance.at("boundary_weight"), "0.85"); // though there is none
+    EXPECT_NEAR(*snapshot.particle_volume, 1.18, 0.01);           // of so few, by what is inside
+    EXPECT_EQ(snapshot.provenance.at("particle_volume"), "measured");
+    options.boundary_weight = 0;
     set_label_provenance(snapshot, 2.0, options);
-    EXPECT_EQ(snapshot.provenance.at("boundary_rule"), "boundary particles count");
+    EXPECT_EQ(snapshot.provenance.at("boundary_weight"), "0.0");
+    options.boundary_weight = -1;
+    EXPECT_THROW(label_particles(snapshot, 2.0, options), InputError);
     // Labelled again, it says nothing of what is no longer so.
     set_label_provenance(snapshot, 2.0, LabelOptions{});
     EXPECT_EQ(snapshot.provenance.at("method"), "exact");
     EXPECT_EQ(snapshot.provenance.count("samples"), 0U);
     EXPECT_EQ(snapshot.provenance.count("scheme"), 0U);
-    EXPECT_EQ(snapshot.provenance.at("boundary_rule"), "boundary particles do not count");
     EXPECT_EQ(*snapshot.support_radius, 2.0);
 }
 

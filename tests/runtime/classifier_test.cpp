@@ -14,12 +14,11 @@ struct TestCoefficients {
     static constexpr double d = 20;
     static constexpr int dimension = 3;
     static constexpr double radius_ratio = 0.8;
-    static constexpr double reference_neighbor_count = 0;
 };
 
-/// The same line, trained on counts relative to a median of 40.
-struct RelativeCoefficients : TestCoefficients {
-    static constexpr double reference_neighbor_count = 40;
+/// The same line where h is two spacings, at others following it.
+struct FollowingCoefficients : TestCoefficients {
+    static constexpr double reference_spacing_ratio = 2;
 };
 
 FeatureSum<double, 3> sum_of(double offset, int count) {
@@ -38,12 +37,14 @@ TEST(Classifier, SurfaceOnAndBelowTheLine) {
     EXPECT_FALSE(is_surface(sum_of(0.25, 46), line, 1.0));
 }
 
-TEST(Classifier, RelativeLineFollowsTheMedianCount) {
-    constexpr auto line = surface_line<RelativeCoefficients, double>(20);
-    EXPECT_DOUBLE_EQ(line.k, 50);
-    EXPECT_DOUBLE_EQ(line.d, 10);
-    EXPECT_TRUE(is_surface(sum_of(0.25, 22), line, 1.0));
-    EXPECT_FALSE(is_surface(sum_of(0.25, 23), line, 1.0));
+TEST(Classifier, LineFollowsTheSupportRadiusOverSpacing) {
+    constexpr auto line = surface_line<FollowingCoefficients, double>(4);
+    EXPECT_DOUBLE_EQ(line.k, 800);
+    EXPECT_DOUBLE_EQ(line.d, 160);
+    EXPECT_TRUE(is_surface(sum_of(0.25, 360), line, 1.0));
+    EXPECT_FALSE(is_surface(sum_of(0.25, 361), line, 1.0));
+    constexpr auto fixed = surface_line<TestCoefficients, double>(4);
+    EXPECT_DOUBLE_EQ(fixed.k, 100);
 }
 
 TEST(Classifier, MedianNeighborCount) {

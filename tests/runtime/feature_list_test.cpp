@@ -169,7 +169,7 @@ void expect_classified(const Cloud<Real, 3>& cloud, const Radii& radii, std::siz
     if (std::abs(above) < 1e-4)
         return;
     std::uint8_t found = 2;
-    classify_by_features<Falling, Real, 3>(cloud, 0, 1, radii, &found);
+    classify<Falling, Real, 3>(cloud, 0, 1, radii, &found);
     EXPECT_EQ(found, above > 0 ? 1 : 0);
     surface += found;
 }
@@ -195,7 +195,7 @@ TYPED_TEST(EachFeature, WithoutNeighborsOrWithoutAValueIsSurface) {
     Cloud<TypeParam, 3> cloud(90, 1, TypeParam(0.5), false);
     for (TypeParam& mass : cloud.masses)
         mass = std::numeric_limits<TypeParam>::infinity();
-    EXPECT_EQ((classify_by_features<Falling, TypeParam, 3>(cloud, 0, 1, radius, &found)), 1U);
+    EXPECT_EQ((classify<Falling, TypeParam, 3>(cloud, 0, 1, radius, &found)), 1U);
 }
 
 template <int Dimension>

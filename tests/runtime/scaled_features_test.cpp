@@ -1,5 +1,4 @@
 // Features where every particle has a support radius of its own.
-#include <meniscus/runtime/coefficients/surface_3d.hpp>
 #include <meniscus/runtime/features/classifier.hpp>
 
 #include <gtest/gtest.h>
@@ -166,18 +165,26 @@ TYPED_TEST(ScaledFeatures, ParticlesOfOneResolutionSeenFromAnother) {
     EXPECT_NEAR(sum.count, 1 + 8 / 3.375, 1e-5); // (1 / 1.5)^3 each
 }
 
+struct ExportedLine {
+    static constexpr double k = 116.7;
+    static constexpr double d = 25.97;
+    static constexpr int dimension = 3;
+    static constexpr double radius_ratio = 0.8;
+};
+
 TYPED_TEST(ScaledFeatures, ClassifyByTheExportedLine) {
     using Real = TypeParam;
     const Crowd<Real, 3> crowd(150, 4, 2);
     const VaryingRadii<Real> radii{crowd.radii.data()};
     std::vector<std::uint8_t> surface(150, 7);
     const std::size_t found =
-        classify<Surface3D, Real, 3>(crowd.view(), 10, 140, radii, surface.data());
+        classify<ExportedLine, Real, 3>(crowd.view(), 10, 140, radii, surface.data());
     std::size_t expected = 0;
     for (std::size_t i = 0; i < 150; ++i) {
         const auto sum = sum_features<Real, 3>(crowd.view(), i, radii,
-                                               neighbor_range<Real>(1, Surface3D::radius_ratio));
-        const bool below = sum.count <= Surface3D::k * mass_offset(sum, Real(1)) + Surface3D::d;
+                                               neighbor_range<Real>(1, ExportedLine::radius_ratio));
+        const bool below =
+            sum.count <= ExportedLine::k * mass_offset(sum, Real(1)) + ExportedLine::d;
         if (i < 10 || i >= 140) {
             EXPECT_EQ(surface[i], 7) << i;
         } else {

@@ -58,9 +58,10 @@ void expect_same_exposure(CoverageMethod method, Verification verification) {
         }
         EXPECT_EQ(step.list.surface_class[slot], plain.surface_class[slot]) << slot;
         EXPECT_NEAR(step.list.exposure[slot], plain.exposure[slot], 1e-5);
+        if (plain.exposure[slot] <= Real(1e-3))
+            continue;
         for (int axis = 0; axis < Dimension; ++axis)
-            if (plain.exposure[slot] > Real(1e-3))
-                EXPECT_NEAR(step.list.normal[slot][axis], plain.normal[slot][axis], 1e-3);
+            EXPECT_NEAR(step.list.normal[slot][axis], plain.normal[slot][axis], 1e-3);
     }
     EXPECT_LE(decided_otherwise, static_cast<int>(step.list.size() / 100));
 }

@@ -408,7 +408,7 @@ TYPED_TEST(SurfaceTensionStep, DefaultsAreTheLineAndTheMapThatShip) {
     for (const bool paper : {false, true}) {
         const auto defaults = paper ? paper_options() : SurfaceTensionOptions{};
         auto options = defaults;
-        set_line(options, shipped_surface_line(dimension));
+        set_shipped_classifier(options, dimension);
         options.curvature_map = shipped_curvature_map(dimension);
         const auto expected = numbers_of(Tension(options));
         EXPECT_GT(expected.size(), 100U);
@@ -429,7 +429,8 @@ TEST(SurfaceTensionOptions, EachChangesTheResult) {
     for_each_surface_option([&](const auto& option) {
         auto options = busy_options();
         set_other(option, options);
-        EXPECT_NE(numbers_of(SurfaceTension<double, 3>(options)), usual) << option.name;
+        if (option.name != std::string("boundary_weight")) // without a boundary
+            EXPECT_NE(numbers_of(SurfaceTension<double, 3>(options)), usual) << option.name;
     });
 }
 

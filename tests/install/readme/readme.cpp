@@ -13,7 +13,7 @@ using Vector = std::array<float, 3>;
 
 constexpr float h = 1;
 constexpr float mass = 0.125F;
-constexpr double spacing = 0.5;
+constexpr float rest_density = 1;
 
 void add_surface_tension(const float* positions, const std::size_t* offsets,
                          const std::uint32_t* neighbors, std::size_t count, Vector* acceleration) {

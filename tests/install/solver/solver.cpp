@@ -21,6 +21,7 @@ using Vector = std::array<Real, 3>;
 
 constexpr Real support_radius = 1;
 constexpr Real mass = 0.125F;
+constexpr double spacing_ratio = 1 / 0.45;
 constexpr int edge = 10;
 
 std::vector<Vector> block_of_particles() {
@@ -45,19 +46,25 @@ Real squared(const Vector& vector) {
 template <class Line>
 std::vector<std::uint8_t> fused(const std::vector<Vector>& positions) {
     const auto range = meniscus::neighbor_range<Real>(support_radius, Line::radius_ratio);
-    const auto line = meniscus::surface_line<Line, Real>();
+    const auto line = meniscus::surface_line<Line, Real>(spacing_ratio);
+    const double scale = meniscus::count_scale<Line>(spacing_ratio);
+    const meniscus::UniformRadius<Real> radii{support_radius};
     std::vector<std::uint8_t> surface;
     Real density = 0;
     for (const Vector& center : positions) {
         meniscus::FeatureSum<Real, 3> sum;
+        meniscus::LineSum<typename Line::SecondLine, Real, 3> second;
         for (const Vector& other : positions) {
             const Vector displacement = between(center, other);
             const Real distance_squared = squared(displacement);
             if (distance_squared < support_radius * support_radius)
                 density += mass * (1 - distance_squared);
             sum.add(displacement, distance_squared, mass, range);
+            second.add(displacement, mass, 0, 0, radii, range);
         }
-        surface.push_back(meniscus::is_surface(sum, line, support_radius) ? 1 : 0);
+        const bool by_both =
+            meniscus::is_surface(sum, line, support_radius) && meniscus::is_surface(second, scale);
+        surface.push_back(by_both ? 1 : 0);
     }
     return density > 0 ? surface : std::vector<std::uint8_t>();
 }
@@ -70,7 +77,9 @@ std::vector<std::uint8_t> by_callable(const std::vector<Vector>& positions) {
             visit(j, between(positions[i], positions[j]), mass);
     };
     std::vector<std::uint8_t> surface(positions.size());
-    meniscus::classify<Line, Real, 3>(view, 0, positions.size(), support_radius, surface.data());
+    meniscus::classify<Line, Real, 3>(view, meniscus::NoBoundary{}, 0, positions.size(),
+                                      meniscus::UniformRadius<Real>{support_radius}, spacing_ratio,
+                                      surface.data());
     return surface;
 }
 
@@ -88,7 +97,9 @@ std::vector<std::uint8_t> by_lists(const std::vector<Vector>& positions) {
     const meniscus::CsrNeighborhood<Real, 3, 3, int, int> view{positions[0].data(), nullptr,
                                                                offsets.data(), neighbors.data()};
     std::vector<std::uint8_t> surface(positions.size());
-    meniscus::classify<Line, Real, 3>(view, 0, positions.size(), support_radius, surface.data());
+    meniscus::classify<Line, Real, 3>(view, meniscus::NoBoundary{}, 0, positions.size(),
+                                      meniscus::UniformRadius<Real>{support_radius}, spacing_ratio,
+                                      surface.data());
     return surface;
 }
 
@@ -141,7 +152,7 @@ struct ThreadLoop {
 template <class View, class Loop>
 std::vector<Vector> forces(const View& view, const Loop& loop) {
     meniscus::SurfaceTensionOptions options;
-    options.spacing_ratio = 2 / 0.9;
+    options.spacing_ratio = spacing_ratio;
     meniscus::SurfaceTension<Real, 3> tension(options);
     tension.step(view, edge * edge * edge, meniscus::UniformRadius<Real>{support_radius}, loop);
     return tension.surface().force;

@@ -1,0 +1,99 @@
+#include "particle_volumes.hpp"
+
+#include "neighbor_search.hpp"
+#include "particle_arrays.hpp"
+
+#include <meniscus/runtime/math/cubic_spline.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <omp.h>
+
+namespace meniscus {
+namespace {
+
+double kernel_scale(int dimension) {
+    return dimension == 2 ? cubic_spline_scale<2> : cubic_spline_scale<3>;
+}
+
+/// h^D sum_j W_ij of each particle of a grid, itself included, in the grid's order.
+std::vector<double> kernel_sums(const NeighborGrid& grid, const SupportRadii& radii, int dimension,
+                                int threads) {
+    std::vector<double> sums(grid.size());
+#pragma omp parallel num_threads(threads > 0 ? threads : omp_get_max_threads())
+    {
+        FoundNeighbors found;
+#pragma omp for schedule(static, 256)
+        for (std::size_t place = 0; place < grid.size(); ++place) {
+            grid.find(place, found);
+            double sum = cubic_spline(0.0);
+            const double own = radii.of(grid.particle(place));
+            for (std::size_t n = 0; n < found.size(); ++n) {
+                const auto& to = found.displacements[n];
+                const double distance = std::sqrt(to[0] * to[0] + to[1] * to[1] + to[2] * to[2]);
+                const double other = radii.of(found.particles[n]);
+                sum += std::pow(2 * other / (own + other), dimension) *
+                       cubic_spline(2 * distance / (own + other));
+            }
+            sums[place] = kernel_scale(dimension) * sum;
+        }
+    }
+    return sums;
+}
+
+double median_radius(const SupportRadii& radii, const std::vector<std::uint8_t>& valid) {
+    std::vector<double> some;
+    for (std::size_t i = 0; radii.vary() && i < valid.size(); ++i)
+        if (valid[i] != 0)
+            some.push_back(radii.each[i]);
+    if (some.empty())
+        return radii.max;
+    const auto middle = some.begin() + static_cast<std::ptrdiff_t>(some.size() / 2);
+    std::nth_element(some.begin(), middle, some.end());
+    return *middle;
+}
+
+} // namespace
+
+double measured_spacing_ratio(const Snapshot& snapshot, const SupportRadii& radii,
+                              const std::vector<std::uint8_t>& valid, int threads) {
+    const double root = 1.0 / snapshot.dimension;
+    if (snapshot.particle_volume && !radii.vary())
+        return radii.max / std::pow(*snapshot.particle_volume, root);
+    auto sums = kernel_sums(NeighborGrid(snapshot.positions, radii, {&valid, nullptr}, threads),
+                            radii, snapshot.dimension, threads);
+    if (sums.empty())
+        return 1;
+    const auto quartile = sums.begin() + static_cast<std::ptrdiff_t>(sums.size() * 3 / 4);
+    std::nth_element(sums.begin(), quartile, sums.end());
+    const double measured = std::pow(*quartile, root);
+    return snapshot.particle_spacing && !radii.vary()
+               ? std::max(measured, radii.max / *snapshot.particle_spacing)
+               : measured;
+}
+
+double BoundaryWeights::of(std::size_t boundary_particle, double support_radius,
+                           int dimension) const {
+    const double weight = at_radius[boundary_particle];
+    return support_radius == radius ? weight
+                                    : weight * std::pow(radius / support_radius, dimension);
+}
+
+BoundaryWeights boundary_weights(const Snapshot& snapshot, const SupportRadii& radii,
+                                 const std::vector<std::uint8_t>& valid, double spacing_ratio,
+                                 int threads) {
+    BoundaryWeights weights;
+    weights.radius = median_radius(radii, valid);
+    if (snapshot.boundary.empty())
+        return weights;
+    check_boundary(snapshot);
+    const double fluid = std::pow(spacing_ratio, snapshot.dimension); // h^D / V_0
+    const NeighborGrid grid(snapshot.boundary, weights.radius, {}, threads);
+    const auto sums = kernel_sums(grid, weights.radius, snapshot.dimension, threads);
+    weights.at_radius.resize(snapshot.boundary.size());
+    for (std::size_t place = 0; place < sums.size(); ++place)
+        weights.at_radius[grid.particle(place)] = fluid / sums[place];
+    return weights;
+}
+
+} // namespace meniscus
