@@ -192,15 +192,17 @@ void add_scene_row(const std::vector<File>& files, const std::vector<std::string
 /// Trained on all scenes but one.
 Tables unseen(const TableInput& input) {
     const auto files = read_files(input);
-    const States states = states_of(files);
-    const auto scenes = group_by_scene(states).names;
+    const auto scenes = group_by_scene(states_of(files)).names;
     Table table = scene_table("unseen", "objective", scenes);
     for (const double threshold : thresholds)
         for (const std::string& objective : compared_objectives())
             add_scene_row(
                 files, scenes, threshold, objective,
                 [&](const std::string& scene) {
-                    return train_with(of_scene(states, scene, false), objective, threshold);
+                    std::vector<File> others;
+                    std::copy_if(files.begin(), files.end(), std::back_inserter(others),
+                                 [&](const File& file) { return file.state.scene != scene; });
+                    return train_with(others, objective, threshold);
                 },
                 table);
     return {table};

@@ -148,6 +148,20 @@ TYPED_TEST(SecondLines, DecideByAnyTwoFeaturesBesideABoundary) {
 }
 
 /// Both lines and a boundary, as a header has them.
+struct SecondInPlane {
+    static constexpr const char* features[] = {"direction_offset", "direction_eigenvalue"};
+    static constexpr bool surface_above = false;
+    static constexpr double k = 20;
+    static constexpr double d = 30;
+    static constexpr int dimension = 2;
+};
+struct SecondInSpace {
+    static constexpr const char* features[] = {"direction_offset", "direction_eigenvalue"};
+    static constexpr bool surface_above = false;
+    static constexpr double k = 20;
+    static constexpr double d = 10;
+    static constexpr int dimension = 3;
+};
 template <int D>
 struct Cascade {
     static constexpr double k = D == 3 ? 200 : 250;
@@ -155,14 +169,7 @@ struct Cascade {
     static constexpr int dimension = D;
     static constexpr double radius_ratio = 0.8;
     static constexpr double boundary_weight = 1;
-    struct SecondLine {
-        static constexpr const char* features[] = {"direction_offset", "direction_eigenvalue"};
-        static constexpr bool surface_above = false;
-        static constexpr double k = 20;
-        static constexpr double d = D == 3 ? 10 : 30;
-        static constexpr int dimension = D;
-        static constexpr double radius_ratio = 0.8;
-    };
+    using SecondLine = std::conditional_t<D == 2, SecondInPlane, SecondInSpace>;
 };
 
 /// The stages of a step, the function for hosts that only classify, and each line by itself.
