@@ -429,8 +429,9 @@ TEST(SurfaceTensionOptions, EachChangesTheResult) {
     for_each_surface_option([&](const auto& option) {
         auto options = busy_options();
         set_other(option, options);
-        if (option.name != std::string("boundary_weight")) // without a boundary
-            EXPECT_NE(numbers_of(SurfaceTension<double, 3>(options)), usual) << option.name;
+        if (option.name == std::string("boundary_weight"))
+            return; // there is no boundary
+        EXPECT_NE(numbers_of(SurfaceTension<double, 3>(options)), usual) << option.name;
     });
 }
 
