@@ -15,9 +15,9 @@
 
 #include <meniscus/labeler/exact/exact_labels.hpp>
 #include <meniscus/labeler/monte_carlo/coverage.hpp>
-#include <meniscus/runtime/features/shipped_surface_line.hpp>
 #include <meniscus/runtime/math/angles.hpp>
 #include <meniscus/runtime/neighbors/parallel_loop.hpp>
+#include <meniscus/runtime/surface/shipped_classifier.hpp>
 
 #include <cmath>
 #include <memory>
@@ -100,7 +100,7 @@ template <class Real, int Dimension>
 Detector<Real> exact(const std::string& name, const std::string& group, bool with_line) {
     return {name, group, "this project", [with_line](const FluidState<Real>& state, int threads) {
                 const double ratio = static_cast<double>(state.support_radius) / state.spacing;
-                const auto line = with_line ? shipped_surface_line(Dimension, ratio) : no_line;
+                const auto line = with_line ? shipped_first_line(Dimension, ratio) : no_line;
                 return coverage_detection<Real, Dimension>(
                     state, threads, line, [](Workspace& workspace) {
                         return workspace.exact->is_uncovered(

@@ -6,7 +6,6 @@
 #include <meniscus/classifier/model/model.hpp>
 #include <meniscus/classifier/training_set/error_counts.hpp>
 #include <meniscus/data/text/errors.hpp>
-#include <meniscus/runtime/features/shipped_surface_line.hpp>
 #include <meniscus/runtime/surface/surface_tension.hpp>
 
 #include <memory>
@@ -52,7 +51,7 @@ std::vector<Slope> slopes(const std::filesystem::path& published_model,
     if (model.dimension != 3)
         throw InputError(published_model.string() + ": is in 2D; the published line is in 3D");
     return {{"published slope", {model.line.k, model.line.d}},
-            {"own slope", shipped_surface_line(3, double{state.support_radius} / state.spacing)}};
+            {"own slope", shipped_first_line(3, double{state.support_radius} / state.spacing)}};
 }
 
 /// Candidates, false negatives, wide ones, false positives and missed area in percent.

@@ -198,8 +198,8 @@ MENISCUS_API int meniscus_set_samples(meniscus_surface* surface, size_t samples)
 MENISCUS_API int meniscus_set_samples_for_time_step(meniscus_surface* surface, double time_step,
                                                     double sampling_density, size_t minimum);
 
-/* Another line from now on, as a relative one for a new median neighbor count. Bad: out of the
- * range of k and d. */
+/* Another first line from now on; the second, where there is one, stays. Bad: out of the range of k
+ * and d. */
 MENISCUS_API int meniscus_set_line(meniscus_surface* surface, double k, double d);
 
 /* Finds the surface and all that meniscus_results tells of it. Finite input never gives NaN. Bad:

@@ -12,8 +12,8 @@
 
 namespace meniscus {
 
-/// The share of its volume that a boundary particle counts for unless somebody says otherwise; 0.8
-/// to 0.9 serve all scenes alike (docs/training.md).
+/// The share of its volume that a boundary particle counts for unless somebody says otherwise
+/// (docs/training.md).
 inline constexpr double default_boundary_weight = 0.85;
 
 /// The support radius over the spacing of particles at rest, the root of their volume V_0: the

@@ -61,5 +61,13 @@ inline void set_shipped_classifier(SurfaceTensionOptions& options, int dimension
         set_by_ratio<Surface3D, Surface3DWide, Surface3DWidest>(options);
 }
 
+/// The first line of it, for hosts that apply it in their density loop, at so many spacings.
+inline SurfaceLine<double> shipped_first_line(int dimension, double spacing_ratio) {
+    SurfaceTensionOptions options;
+    options.spacing_ratio = spacing_ratio;
+    set_shipped_classifier(options, dimension);
+    return {options.k, options.d};
+}
+
 } // namespace MENISCUS_INSTRUCTION_SET
 } // namespace meniscus

@@ -82,7 +82,7 @@ public:
             fill_outward_directions<Dimension>(wanted, settings.seed, directions);
     }
 
-    /// The relative line for another median neighbor count, as for a new step (classifier.hpp).
+    /// Another first line from now on; the second, where there is one, stays.
     void set_line(const SurfaceLine<double>& line) {
         settings.k = line.k;
         settings.d = line.d;

@@ -5,7 +5,6 @@
 #include <meniscus/runtime/coefficients/surface_3d.hpp>
 #include <meniscus/runtime/coefficients/surface_3d_strict.hpp>
 #include <meniscus/runtime/coefficients/surface_3d_wide.hpp>
-#include <meniscus/runtime/features/shipped_surface_line.hpp>
 #include <meniscus/runtime/surface/shipped_curvature_map.hpp>
 #include <meniscus/runtime/surface/surface_tension.hpp>
 

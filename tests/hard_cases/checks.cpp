@@ -108,10 +108,8 @@ double spacing_ratio_of(const HardCase& hard_case) {
 
 template <class Real, int Dimension>
 SurfaceLine<Real> shipped_line(const HardCase& hard_case) {
-    SurfaceTensionOptions options;
-    options.spacing_ratio = spacing_ratio_of(hard_case);
-    set_shipped_classifier(options, Dimension);
-    return {static_cast<Real>(options.k), static_cast<Real>(options.d)};
+    const auto line = shipped_first_line(Dimension, spacing_ratio_of(hard_case));
+    return {static_cast<Real>(line.k), static_cast<Real>(line.d)};
 }
 
 template <class Real, int Dimension>

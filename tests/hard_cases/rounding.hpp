@@ -11,7 +11,7 @@
 #include "host_state.hpp"
 
 #include <meniscus/labeler/labeler.hpp>
-#include <meniscus/runtime/features/shipped_surface_line.hpp>
+#include <meniscus/runtime/surface/shipped_classifier.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -90,7 +90,7 @@ void add_changes(const HardCase& fluid, LabelChanges& changes) {
     options.threads = 1; // most fluids here are small
     const Labels labels = label_particles(snapshot_of(fluid), fluid.support_radius, options);
     const auto lambda = rounding::lambda_of(state);
-    const auto line = shipped_surface_line(Dimension);
+    const auto line = shipped_first_line(Dimension, 2);
     const SurfaceLine<Real> own_line{static_cast<Real>(line.k), static_cast<Real>(line.d)};
     const auto range =
         neighbor_range<Real>(static_cast<double>(state.radius), rounding::radius_ratio);
