@@ -27,6 +27,17 @@ struct SampledCaps {
             for (auto* values : {&x, &y, &z, &limit})
                 values->resize(capacity + wide_float_count);
     }
+
+    /// Adds a neighbor at `step`, in support radii.
+    void add(const Vector3& step, double radius_ratio) {
+        reserve(count + 1 > x.size() ? 2 * count : count + 1);
+        x[count] = static_cast<float>(step[0]);
+        y[count] = static_cast<float>(step[1]);
+        z[count] = static_cast<float>(step[2]);
+        limit[count] =
+            static_cast<float>((dot(step, step) + 1 - radius_ratio * radius_ratio) / 2);
+        ++count;
+    }
 };
 
 /// What the samples say.

@@ -65,6 +65,17 @@ MENISCUS_INLINE Turning turning_around(const SurfaceParticles<Real, Dimension>& 
             squares += weight * step * step;
         }
     }
+    if (list.contact[slot].is_there())
+        visit_wall_images(list, slot, list.normal, [&](const auto& image) {
+            const Real weight = image.weight * weight_of(list, image);
+            for (std::size_t axis = 0; axis < Dimension; ++axis) {
+                const Real turn = image.normal[axis] - normal[axis];
+                const Real step = image.step[axis];
+                along += weight * turn * step;
+                turned += weight * turn * turn;
+                squares += weight * step * step;
+            }
+        });
     if (!(squares > 0))
         return {};
     return {static_cast<double>(along / squares), static_cast<double>(turned / squares)};
@@ -83,6 +94,14 @@ MENISCUS_INLINE Real surface_average(const SurfaceParticles<Real, Dimension>& li
         sum += weight * values[pair->slot];
         weights += weight;
     }
+    if (list.contact[slot].is_there())
+        visit_wall_images(list, slot, list.normal, [&](const auto& image) {
+            if (image.slot == image.is_line)
+                return;
+            const Real weight = image.weight * list.weight[image.slot];
+            sum += weight * values[image.slot];
+            weights += weight;
+        });
     return weights > 0 ? sum / weights : 0;
 }
 

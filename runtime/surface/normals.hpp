@@ -9,6 +9,7 @@
 #include "../math/coordinates.hpp"
 #include "../math/cubic_spline.hpp"
 #include "surface_particles.hpp"
+#include "wall_images.hpp"
 
 namespace meniscus {
 inline namespace MENISCUS_INSTRUCTION_SET {
@@ -49,6 +50,11 @@ void smooth_normals(double tau, const Loop& loop, SurfaceParticles<Real, Dimensi
             for (const auto* last = pair + list.pairs_count[slot]; pair != last; ++pair)
                 for (std::size_t axis = 0; axis < Dimension; ++axis)
                     sum[axis] += pair->weight * before[pair->slot][axis];
+            if (list.contact[slot].is_there())
+                visit_wall_images(list, slot, before, [&](const auto& image) {
+                    for (std::size_t axis = 0; axis < Dimension; ++axis)
+                        sum[axis] += image.weight * image.normal[axis];
+                });
             for (std::size_t axis = 0; axis < Dimension; ++axis)
                 sum[axis] = (1 - share) * before[slot][axis] + share * sum[axis];
             const bool has_normal = list.exposure[slot] > static_cast<Real>(min_exposure);

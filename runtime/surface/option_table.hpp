@@ -33,6 +33,7 @@ inline constexpr OptionRange seed = {0, 0x1p64, "a whole number from 0 to 184467
 inline constexpr OptionRange passes = {0, 1000, "a whole number from 0 to 1000"};
 inline constexpr OptionRange finite = {-DBL_MAX, DBL_MAX, "finite"};
 inline constexpr OptionRange positive = {DBL_MIN, DBL_MAX, "positive and finite"};
+inline constexpr OptionRange contact_angle = {10, 170, "between 10 and 170"};
 inline constexpr OptionRange weight = {0, 10, "between 0 and 10"};
 inline constexpr OptionRange coverage = {0, 1, "sampled or exact", {"sampled", "exact"}};
 inline constexpr OptionRange verification = {0, 1, "exact or drop", {"exact", "drop"}};
@@ -71,7 +72,9 @@ inline constexpr OptionRange force = {0, 1, "paper or calibrated", {"paper", "ca
     ROW(force, force, false, "",                                                                   \
         "The paper's force, or the one in which sigma is what it says")                            \
     ROW(surface_tension, finite, false, "N/m", "Sigma")                                            \
-    ROW(spacing_ratio, positive, false, "", "Support radius over particle spacing at rest")
+    ROW(spacing_ratio, positive, false, "", "Support radius over particle spacing at rest")        \
+    ROW(contact_angle, contact_angle, false, "degrees",                                            \
+        "At which the surface meets a wall when both are at rest, measured in the fluid")
 // clang-format on
 
 /// A row of the table.

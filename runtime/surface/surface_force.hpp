@@ -43,6 +43,12 @@ MENISCUS_INLINE Real sheet_area(const SurfaceParticles<Real, Dimension>& list, s
         // Whether it faces the same way is for no branch to guess, hence the product.
         sum += static_cast<Real>(side > 0) * (list.exposure[pair->slot] * pair->weight);
     }
+    if (list.contact[slot].is_there())
+        visit_wall_images(list, slot, list.normal, [&](const auto& image) {
+            const Real side = product<Real, Dimension>(list.normal[slot], image.normal);
+            if (image.slot != image.is_line && side > 0)
+                sum += list.exposure[image.slot] * image.weight;
+        });
     constexpr auto scale = static_cast<Real>(kernel_integral<Dimension>);
     return own > 0 ? scale * own / sum : 0;
 }

@@ -20,6 +20,7 @@
 #include "../neighbors/boundary.hpp"
 #include "../neighbors/parallel_loop.hpp"
 #include "surface_options.hpp"
+#include "wall_contact.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -58,6 +59,7 @@ struct SurfaceParticles {
     std::vector<Real> turning;  ///< of the normals, 1/m (curvature_map.hpp)
     std::vector<Real> curvature;          ///< mean curvature kappa, 1/m
     std::vector<Vector> force;            ///< N
+    std::vector<WallContact<Real, Dimension>> contact; ///< with a wall
     std::vector<std::size_t> pairs_begin; ///< of each slot, in `pairs`, and where the last ends
     std::vector<std::uint32_t> pairs_count;
     std::vector<SurfacePair<Real, Dimension>> pairs;
@@ -71,6 +73,7 @@ struct SurfaceParticles {
             values->reserve(count);
         for (auto* vectors : {&normal, &force})
             vectors->reserve(count);
+        contact.reserve(count);
         pairs_begin.reserve(count + 1);
         pairs_count.reserve(count);
         pairs.reserve(pair_count + count);
@@ -83,6 +86,7 @@ struct SurfaceParticles {
             values->resize(size());
         for (auto* vectors : {&normal, &force})
             vectors->resize(size());
+        contact.resize(size());
         pairs_count.resize(size());
         pairs.resize(pair_count);
     }
@@ -377,6 +381,62 @@ UncoveredPart exact_part(const View& view, const Boundary& boundary, const Radii
     return uncovered_part<Dimension>(cells, exact);
 }
 
+/// What a particle samples.
+struct SphereSamples {
+    const SampleDirections& directions;
+    std::size_t set_begin;
+    const CoverageCells& cells;
+};
+
+/// The uncovered part in the way that the options say, `visit_steps(visit)` calling visit(step) for
+/// all that may cover.
+template <int Dimension, class VisitSteps>
+UncoveredPart part_between(const SurfaceTensionOptions& options, const SphereSamples& samples,
+                           ExposureMemory& memory, const VisitSteps& visit_steps) {
+    const double ratio = options.radius_ratio;
+    const auto range = neighbor_range<double>(1, ratio);
+    const bool is_exact = options.coverage == CoverageMethod::exact;
+    memory.exact.caps.clear();
+    memory.caps.count = 0;
+    Vector3 inward = {0, 0, 0};
+    visit_steps([&](const Vector3& step) {
+        if (!range.contains(dot(step, step)))
+            return;
+        inward = sum(inward, step);
+        if (is_exact)
+            add_cap<Dimension>(memory.exact.caps, step, 1, ratio);
+        else
+            memory.caps.add(step, ratio);
+    });
+    if (is_exact)
+        return uncovered_part<Dimension>(samples.cells, memory.exact);
+    const auto sampled = sample_coverage<Dimension>(samples.directions, samples.set_begin,
+                                                    scaled(-1, inward), memory.caps);
+    return {static_cast<double>(sampled.fraction), sampled.moment};
+}
+
+/// What the fluid alone leaves uncovered.
+template <class Real, int Dimension, class View, class Radii>
+UncoveredPart part_without_boundary(const View& view, const Radii& radii,
+                                    const SurfaceTensionOptions& options, std::size_t i,
+                                    const SphereSamples& samples, ExposureMemory& memory) {
+    return part_between<Dimension>(options, samples, memory, [&](const auto& visit) {
+        visit_fluid<Real, Dimension>(view, radii, i, visit);
+    });
+}
+
+/// What the fluid leaves uncovered where it goes on into a wall.
+template <class Real, int Dimension, class View, class Boundary, class Radii>
+UncoveredPart part_at_wall(const View& view, const Boundary& boundary, const Radii& radii,
+                           const SurfaceTensionOptions& options, std::size_t i,
+                           const WallContact<Real, Dimension>& contact, const Vector3& outward,
+                           const SphereSamples& samples, ExposureMemory& memory) {
+    return part_between<Dimension>(options, samples, memory, [&](const auto& visit) {
+        visit_covering_at_wall(view, boundary, radii, i, contact, outward,
+                               1 / options.spacing_ratio, visit);
+    });
+}
+
 /// Notes what was found of a candidate.
 template <class Real, int Dimension>
 void note(const UncoveredPart& part, bool is_surface, const SurfaceTensionOptions& options,
@@ -403,6 +463,7 @@ void find_exposure(const View& view, const Boundary& boundary, const Radii& radi
                    const HeldCells& cells, const SurfaceTensionOptions& options, const Loop& loop,
                    ExposureMemory* memory, SurfaceParticles<Real, Dimension>& list) {
     using namespace surface_particles;
+    using namespace wall_contact;
     const double ratio = options.radius_ratio;
     loop(list.size(), [&](std::size_t begin, std::size_t end, int worker) {
         auto& [caps, hold_limits, exact, gathered] = memory[worker];
@@ -427,6 +488,32 @@ void find_exposure(const View& view, const Boundary& boundary, const Radii& radi
                 part = exact_part<Real, Dimension>(view, boundary, radii, ratio, i, cells.coarse,
                                                    exact);
                 is_surface = part.fraction > zero_uncovered_fraction;
+            }
+            list.contact[slot] = {};
+            if constexpr (Boundary::is_there) {
+                const Plane wall =
+                    plane_of<Dimension>(boundary, i, radii, 1 / options.spacing_ratio);
+                if (wall.is_there()) {
+                    const std::size_t set = directions.set_begin(ids != nullptr ? ids[i] : i);
+                    const SphereSamples samples{directions, set, cells.coarse};
+                    Vector3 outward = part.moment;
+                    if (!is_surface)
+                        outward = part_without_boundary<Real, Dimension>(
+                                      view, radii, options, i, samples, memory[worker])
+                                      .moment;
+                    auto& contact = list.contact[slot];
+                    contact = contact_of<Real, Dimension>(wall, outward, options.contact_angle,
+                                                          is_surface ? min_lean
+                                                                     : min_lean_below);
+                    if (contact.is_there()) {
+                        part = part_at_wall<Real, Dimension>(view, boundary, radii, options, i,
+                                                             contact, outward, samples,
+                                                             memory[worker]);
+                        is_surface = is_surface || part.fraction > zero_uncovered_fraction;
+                    }
+                    if (!is_surface || !(dot(part.moment, part.moment) > min_exposure * min_exposure))
+                        contact = {};
+                }
             }
             note(part, is_surface, options, slot, list);
         }

@@ -145,6 +145,10 @@ struct Fluid {
     /// Sum over the wall particles of psi_b grad W_ib (Akinci et al. 2012): all that a pressure
     /// solver needs of walls at rest.
     std::vector<Row<Real>> wall_gradient;
+    /// How low the pressure of each particle may be where negative ones are clipped, as p / rho^2:
+    /// 0, or, next to a concave surface, what surface tension pulls with, since nothing else holds
+    /// what it pulls at.
+    std::vector<Real> min_pressure;
     std::vector<std::uint32_t> id;
     LaneLists neighbors;
     /// W'(q) / q of each pair of a list, from find_densities() on: the gradient is that times x_i -

@@ -84,7 +84,7 @@ private:
     /// Moves the pressures by the compression at the predicted places; returns its mean.
     template <class Kernel>
     double update(const FluidType& fluid, const Kernel& kernel, Real step) {
-        const Real min = this->options.clip_negative ? 0 : -std::numeric_limits<Real>::infinity();
+        const bool clips = this->options.clip_negative;
         const double left = fluid.loop.sum(fluid.count, [&](std::size_t i) -> Real {
             Lanes<Real> sum = kernel.value(Lanes<Real>{}) * Lanes<Real>{1, 0, 0, 0, 0, 0, 0, 0};
             visit_lists<Real, Dimension>(predicted.data(), predicted[i], fluid.neighbors, i,
@@ -98,7 +98,8 @@ private:
                     walls += lanes.w * kernel.value(lanes.distance_squared);
                 });
             const Real excess = fluid.mass * sum_of_lanes(sum) + sum_of_lanes(walls) - 1;
-            this->pressure[i] = std::max(this->pressure[i] + step * excess, min);
+            this->pressure[i] = std::max(this->pressure[i] + step * excess,
+                                         min_pressure(fluid, i, clips));
             return std::max(excess, Real(0));
         });
         return fluid.count == 0 ? 0 : left / static_cast<double>(fluid.count);

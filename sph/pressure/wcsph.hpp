@@ -25,13 +25,13 @@ public:
 
     SolveReport solve(FluidType& fluid, Real dt) override {
         const double speed = this->options.sound_speed / fluid.units.support_radius;
+        const bool clips = this->options.clip_negative;
         const auto stiffness = static_cast<Real>(speed * speed / 7);
         fluid.loop.each(fluid.count, [&](std::size_t i) {
             const Real square = fluid.density[i] * fluid.density[i];
-            Real pressure = stiffness * (square * square * square * fluid.density[i] - 1);
-            if (this->options.clip_negative)
-                pressure = std::max(pressure, Real(0));
-            fluid.place[i].w = this->pressure[i] = pressure / square;
+            const Real pressure = stiffness * (square * square * square * fluid.density[i] - 1);
+            fluid.place[i].w = this->pressure[i] =
+                std::max(pressure / square, min_pressure(fluid, i, clips));
         });
         fluid.loop.each(fluid.count, [&](std::size_t i) {
             accelerate(fluid, i, dt, pressure_acceleration(fluid, i));

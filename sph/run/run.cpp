@@ -160,6 +160,7 @@ private:
         if (!options.restart)
             check_has_no_frames(scene, options.folder);
         simulation = simulate(scene, filled(), result.threads);
+        result.parted = simulation->parted();
         if (options.restart)
             remove_earlier_run(scene, options.folder);
         at.log = log_header();

@@ -82,6 +82,11 @@ bool has_sigma(const TensionOptions& options);
 /// tension_model_place() does.
 bool knows_surface(const TensionOptions& options);
 
+/// The longest step, s, that solver, viscosity (Morris et al. 1997, eq. 26, the smoothing length
+/// being half the support radius), capillary waves (Brackbill et al. 1992, eq. 61) and gravity
+/// leave stable, whatever the fluid does. Throws as pressure_solver_place() does.
+double longest_stable_step(const Scene& scene);
+
 /// The keys of the project's own model beside those that all models have, and what reads them.
 std::vector<std::string> meniscus_option_keys();
 void read_meniscus_options(const JsonReader& reader, TensionOptions& options);

@@ -105,8 +105,14 @@ struct TimeStepOptions {
     std::optional<double> fixed; ///< s; without it the CFL condition sets the step
     double courant_factor = 1;   ///< of 0.4 spacing / largest speed
     double min = 1e-6;           ///< s
-    double max = 5e-3;           ///< s
+    double max = 5e-3;           ///< s; in a file that has none default_max_time_step()
 };
+
+/// The longest step, s, of a scene that names none: 5 ms, and less where particles lie closer than
+/// 1 cm, since a solver that starts far from rest needs steps of its own scale.
+constexpr double default_max_time_step(double particle_spacing) {
+    return particle_spacing < 0.01 ? 0.5 * particle_spacing : 5e-3;
+}
 
 struct Scene {
     std::string name;

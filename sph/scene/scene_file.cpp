@@ -309,9 +309,16 @@ TensionOptions read_tension(const JsonReader& reader) {
     return options;
 }
 
-TimeStepOptions read_time_step(const JsonReader& reader) {
-    reader.expect_only({"fixed", "courant_factor", "min", "max"});
+TimeStepOptions default_time_step(double spacing) {
     TimeStepOptions options;
+    options.max = default_max_time_step(spacing);
+    options.min = std::min(options.min, options.max);
+    return options;
+}
+
+TimeStepOptions read_time_step(const JsonReader& reader, double spacing) {
+    reader.expect_only({"fixed", "courant_factor", "min", "max"});
+    TimeStepOptions options = default_time_step(spacing);
     if (reader.has("fixed")) {
         for (const char* key : {"courant_factor", "min", "max"})
             refuse_with(reader, key, "'fixed' already says how long steps are");
@@ -387,8 +394,9 @@ Scene scene_from(const JsonReader& reader, const std::filesystem::path& folder) 
         scene.viscosity = read_viscosity(reader.object_at("viscosity"));
     if (reader.has("surface_tension"))
         scene.surface_tension = read_tension(reader.object_at("surface_tension"));
-    if (reader.has("time_step"))
-        scene.time_step = read_time_step(reader.object_at("time_step"));
+    scene.time_step = reader.has("time_step")
+                          ? read_time_step(reader.object_at("time_step"), scene.particle_spacing)
+                          : default_time_step(scene.particle_spacing);
     return scene;
 }
 

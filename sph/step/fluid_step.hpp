@@ -73,7 +73,7 @@ public:
         report.seconds.density = clock.lap();
 
         const double last_step =
-            state.time_step > 0 ? std::min(state.time_step, longest) : time_step_for(0, longest);
+            state.time_step > 0 ? std::min(state.time_step, longest) : time_step_for(0, 0, longest);
         const double first_speed = max_speed(0);
         fluid.keeps_rounding = is_short(last_step, first_speed);
         const SolveReport divergence =
@@ -82,7 +82,7 @@ public:
         add_accelerations(report, clock);
 
         const double speed = max_speed(last_step);
-        report.time_step = time_step_for(speed, longest);
+        report.time_step = time_step_for(speed, max_acceleration(), longest);
         fluid.keeps_rounding = is_short(report.time_step, speed);
         apply_accelerations(static_cast<Real>(report.time_step));
         report.seconds.motion = clock.lap();
@@ -105,6 +105,22 @@ public:
         check(state, report);
         report.seconds.motion += clock.lap();
         return report;
+    }
+
+    std::size_t part_compressed(SimulationState& state) override {
+        constexpr int max_rounds = 100;
+        std::size_t compressed = 0;
+        for (int round = 0; round < max_rounds; ++round) {
+            sort(state);
+            find_neighbors();
+            find_densities(fluid);
+            const std::size_t denser = count_denser(round == 0 ? 1.1 : 1.01);
+            compressed = round == 0 ? denser : compressed;
+            if (denser == 0)
+                break;
+            relieve(state);
+        }
+        return compressed;
     }
 
     StepResults evaluate(SimulationState& state) override {
@@ -236,6 +252,7 @@ private:
         fluid.velocity.resize(count + 1);
         fluid.acceleration.resize(count);
         fluid.density.resize(count);
+        fluid.min_pressure.assign(count, 0);
         fluid.wall_density.resize(count);
         fluid.wall_gradient.resize(count);
         fluid.id.resize(count);
@@ -301,6 +318,37 @@ private:
                                     fluid.loop, wall_buffers, fluid.wall_neighbors, &near_walls);
     }
 
+    [[nodiscard]] std::size_t count_denser(double limit) const {
+        return static_cast<std::size_t>(
+            std::count_if(fluid.density.begin(), fluid.density.end(), [&](Real density) {
+                return density > static_cast<Real>(limit);
+            }));
+    }
+
+    /// Moves particles as pressure would within one step from rest, but no farther than a tenth of
+    /// a spacing.
+    void relieve(SimulationState& state) {
+        const Real max_move =
+            static_cast<Real>(0.1 * scene.particle_spacing / scene.support_radius);
+        PressureSystem<Real, Dimension> system;
+        std::vector<Real> pressure(fluid.count, 0);
+        fluid.keeps_rounding = false;
+        for (Row<Real>& velocity : fluid.velocity)
+            velocity = {0, 0, 0, velocity.w};
+        system.prepare(fluid);
+        system.set_source(fluid, 1, [&](std::size_t i) { return fluid.density[i] - 1; });
+        system.iterate(fluid, 1, 1e-5, {}, pressure);
+        fluid.loop.each(fluid.count, [&](std::size_t i) {
+            const Row<Real> move = fluid.velocity[i];
+            const Real length = std::sqrt(dot_rows(move, move));
+            const double scale =
+                scene.support_radius * static_cast<double>(length > max_move ? max_move / length : 1);
+            for (int axis = 0; axis < Dimension; ++axis)
+                state.positions[i][axis] +=
+                    scale * static_cast<double>(axis == 0 ? move.x : axis == 1 ? move.y : move.z);
+        });
+    }
+
     void add_accelerations(StepReport& report, StageClock& clock) {
         const double h = scene.support_radius;
         const Row<Real> gravity{static_cast<Real>(scene.gravity[0] / h),
@@ -342,36 +390,35 @@ private:
         }));
     }
 
-    /// The step that the CFL condition allows (Monaghan 1992), or the fixed one.
-    [[nodiscard]] double time_step_for(double speed, double longest) const {
+    /// The largest acceleration of a particle, in support radii over s^2.
+    [[nodiscard]] double max_acceleration() const {
+        return std::sqrt(fluid.loop.max(fluid.count, 0, [&](std::size_t i) {
+            return dot_rows(fluid.acceleration[i], fluid.acceleration[i]);
+        }));
+    }
+
+    /// The step that the CFL condition and the accelerations allow (Monaghan 1992), or the fixed
+    /// one.
+    [[nodiscard]] double time_step_for(double speed, double acceleration, double longest) const {
         const TimeStepOptions& options = scene.time_step;
         if (options.fixed)
             return std::min(*options.fixed, longest);
-        double step = std::min(options.max, options.courant_factor * longest_stable_step());
+        const double spacing = scene.particle_spacing / scene.support_radius;
+        double step =
+            std::min(options.max, options.courant_factor * longest_stable_step(scene));
         if (speed > 0)
-            step = std::min(step, 0.4 * options.courant_factor * scene.particle_spacing /
-                                      (speed * scene.support_radius));
+            step = std::min(step, 0.4 * options.courant_factor * spacing / speed);
+        if (acceleration > 0)
+            step = std::min(step,
+                            0.4 * options.courant_factor * std::sqrt(spacing / acceleration));
         return std::min(std::max(step, options.min), longest);
-    }
-
-    /// What the solver, viscosity (Morris et al. 1997, eq. 26, the smoothing length being
-    /// half the support radius) and capillary waves (Brackbill et al. 1992, eq. 61) allow, s.
-    [[nodiscard]] double longest_stable_step() const {
-        const double h = scene.support_radius;
-        const double spacing = scene.particle_spacing;
-        double step = solver_row.longest_stable_step(scene);
-        if (scene.viscosity.kinematic > 0)
-            step = std::min(step, 0.125 * (h / 2) * (h / 2) / scene.viscosity.kinematic);
-        if (has_sigma(scene.surface_tension) && scene.surface_tension.coefficient > 0)
-            step = std::min(step, std::sqrt(scene.rest_density * spacing * spacing * spacing /
-                                            (2 * pi * scene.surface_tension.coefficient)));
-        return step;
     }
 
     /// The longest step, s, that is stable at that speed.
     [[nodiscard]] double stable_step(double speed) const {
         double step =
-            std::min(std::max(scene.time_step.max, TimeStepOptions{}.max), longest_stable_step());
+            std::min(std::max(scene.time_step.max, default_max_time_step(scene.particle_spacing)),
+                     longest_stable_step(scene));
         if (speed > 0)
             step = std::min(step, 0.4 * scene.particle_spacing / (speed * scene.support_radius));
         return step;

@@ -231,6 +231,8 @@ public:
         check_places(now, scene, particles);
         finds_surface = knows_surface(scene.surface_tension);
         stepper = make_step(scene, particles, threads);
+        if (now.steps == 0)
+            compressed_at_start = stepper->part_compressed(now);
     }
 
     StepReport step(double longest) override {
@@ -243,6 +245,7 @@ public:
         return report;
     }
 
+    [[nodiscard]] std::size_t parted() const override { return compressed_at_start; }
     [[nodiscard]] std::size_t size() const override { return now.positions.size(); }
     [[nodiscard]] double time() const override { return now.time; }
     [[nodiscard]] SimulationState state() const override { return now; }
@@ -298,6 +301,7 @@ private:
     Positions walls;
     SimulationState now;
     std::unique_ptr<Step> stepper;
+    std::size_t compressed_at_start = 0;
     bool finds_surface = false;
     bool diverged = false;
     mutable std::optional<StepResults> found; ///< of the state as it is, once it was looked at

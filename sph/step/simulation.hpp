@@ -28,6 +28,9 @@ public:
     /// One step, no longer than `longest` (s). Throws Divergence, then and ever after.
     virtual StepReport step(double longest) = 0;
 
+    /// How many particles of the first state were moved since they were more than a tenth denser
+    /// than at rest (Step::part_compressed).
+    [[nodiscard]] virtual std::size_t parted() const = 0;
     [[nodiscard]] virtual std::size_t size() const = 0;
     [[nodiscard]] virtual double time() const = 0;
     /// Of the state. Looks for the surface, where the scene has one that is known.

@@ -19,6 +19,11 @@ public:
     /// at most `longest` (s). Throws Divergence.
     virtual StepReport advance(SimulationState& state, double longest) = 0;
 
+    /// Moves apart, without a change of velocities, what starts too close together, to a wall or to
+    /// each other: pressure would throw it away. Returns how many particles were more than a tenth
+    /// denser than at rest; none moves where that is 0.
+    virtual std::size_t part_compressed(SimulationState& state) = 0;
+
     /// Sorts the state's particles by cell, as advance() does, and looks at them without moving
     /// them. Steps that follow are not affected.
     virtual StepResults evaluate(SimulationState& state) = 0;

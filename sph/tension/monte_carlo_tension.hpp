@@ -117,6 +117,7 @@ public:
             Row<Real>& sum = fluid.acceleration[surface.particle[slot]];
             sum = plus(sum, inverse_mass, row);
         });
+        allow_suction(fluid);
     }
 
     [[nodiscard]] SurfaceResults results(const FluidType& fluid) const override {
@@ -160,6 +161,26 @@ private:
             find_forces(fluid, view, BoundaryView<Walls>{walls});
         } else {
             find_forces(fluid, view, NoBoundary{});
+        }
+    }
+
+    /// Next to a concave surface the pressure may be as low as the capillary one, (D - 1) sigma
+    /// kappa: it is what holds the particles that such a surface pulls out of the fluid.
+    void allow_suction(FluidType& fluid) const {
+        constexpr Real concave = Real(-0.15); // h kappa; less is the scatter of flat surfaces
+        const auto& surface = tension.surface();
+        const auto sigma = static_cast<Real>(tension.options().surface_tension);
+        for (std::size_t slot = 0; slot < surface.size(); ++slot) {
+            if (!(surface.curvature[slot] < concave))
+                continue;
+            const Real pressure = 2 * (Dimension - 1) * sigma * surface.curvature[slot];
+            const std::size_t i = surface.particle[slot];
+            const auto lower = [&](std::size_t j) {
+                fluid.min_pressure[j] = std::min(fluid.min_pressure[j], pressure);
+            };
+            lower(i);
+            for (std::uint32_t n = 0; n < fluid.neighbors.count[i]; ++n)
+                lower(fluid.neighbors.begin[i][n]);
         }
     }
 
