@@ -135,6 +135,53 @@ bool is_surface(const GatheredNeighbors& gathered, const SecondLine& line) {
                       : y.is_at_most(gathered, limit);
 }
 
+/// Gathers the neighbors in the fluid of particle i that count. Hosts whose lists are at hand in
+/// vectors have an overload of their own.
+template <int Dimension, class View, class Radii, class Real>
+void gather_fluid(const View& view, std::size_t i, const Radii& radii,
+                  const NeighborRange<Real>& range, GatheredNeighbors& gathered) {
+    Real unit = 0; // of mass: those of small particles are too small for float
+    view(i, [&](std::size_t j, const auto& displacement, Real mass) {
+        if (unit == 0)
+            unit = 1 / mass;
+        visit_if_in_range<Dimension>(displacement, mass * unit, i, j, radii, range,
+                                     [&](const auto& neighbor) { gathered.add(neighbor); });
+    });
+}
+
+/// The same over compressed rows: written without a branch, since the length is known.
+template <int Dimension, class Real, int Stride, class Offset, class Index>
+void gather_fluid(const CsrNeighborhood<Real, Dimension, Stride, Offset, Index>& view,
+                  std::size_t i, const UniformRadius<Real>& radii,
+                  const NeighborRange<Real>& range, GatheredNeighbors& gathered) {
+    const auto begin = static_cast<std::size_t>(view.offsets[i]);
+    const auto end = static_cast<std::size_t>(view.offsets[i + 1]);
+    gathered.reserve(end - begin);
+    float* const to[] = {gathered.step[0].data(), gathered.step[1].data(),
+                         gathered.step[2].data()};
+    float* const mass = gathered.mass.data();
+    float* const count = gathered.count.data();
+    const Real* const center = view.positions + i * Stride;
+    const Real unit =
+        view.masses == nullptr || begin == end
+            ? Real(1)
+            : 1 / view.masses[static_cast<std::size_t>(view.neighbors[begin])];
+    std::size_t size = 0;
+    for (std::size_t n = begin; n < end; ++n) {
+        const auto j = static_cast<std::size_t>(view.neighbors[n]);
+        Real squared = 0;
+        for (std::size_t axis = 0; axis < Dimension; ++axis) {
+            const Real displacement = view.positions[j * Stride + axis] - center[axis];
+            squared += displacement * displacement;
+            to[axis][size] = static_cast<float>(displacement * radii.inverse);
+        }
+        mass[size] = static_cast<float>(view.masses == nullptr ? Real(1) : view.masses[j] * unit);
+        count[size] = 1;
+        size += static_cast<std::size_t>(range.contains(squared));
+    }
+    gathered.size = size;
+}
+
 /// Gathers the neighbors of particle i that count: those in the fluid, then the boundary particles
 /// around it, each with the mean mass of the others.
 template <int Dimension, class View, class Boundary, class Radii>
@@ -143,13 +190,7 @@ void gather_neighbors(const View& view, const Boundary& boundary, std::size_t i,
     using Real = decltype(radii.of(i));
     const auto range = range_of(radii, radius_ratio);
     gathered.size = 0;
-    Real unit = 0; // of mass: those of small particles are too small for float
-    view(i, [&](std::size_t j, const auto& displacement, Real mass) {
-        if (unit == 0)
-            unit = 1 / mass;
-        visit_if_in_range<Dimension>(displacement, mass * unit, i, j, radii, range,
-                                     [&](const auto& neighbor) { gathered.add(neighbor); });
-    });
+    gather_fluid<Dimension>(view, i, radii, range, gathered);
     if constexpr (Boundary::is_there) {
         const std::size_t fluid = gathered.size;
         float mass = 0, count = 0;
@@ -157,7 +198,7 @@ void gather_neighbors(const View& view, const Boundary& boundary, std::size_t i,
             mass += gathered.mass[n];
             count += gathered.count[n];
         }
-        const Real mean_mass = fluid == 0 ? Real(1) : static_cast<Real>(mass / count);
+        const Real mean_mass = count > 0 ? static_cast<Real>(mass / count) : Real(1);
         boundary(i, [&](std::size_t, const auto& displacement, Real weight) {
             visit_if_in_range<Dimension>(displacement, mean_mass * weight, i, i, radii, range,
                                          [&](auto neighbor) {

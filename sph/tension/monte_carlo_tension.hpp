@@ -40,6 +40,37 @@ struct LaneListView {
     }
 };
 
+/// Lanes of the step as the second line has them.
+template <class V>
+MENISCUS_INLINE Lanes<float> as_floats(V values) {
+    return __builtin_convertvector(values, Lanes<float>);
+}
+
+/// What the second line looks at, eight neighbors at a time. Those that do not count stay, without
+/// a weight.
+template <int Dimension, class Real>
+void gather_fluid(const LaneListView<Real, Dimension, true>& view, std::size_t i,
+                  const UniformRadius<Real>& /*radii*/, const NeighborRange<Real>& range,
+                  GatheredNeighbors& gathered) {
+    gathered.reserve(view.lists->padded_count(i));
+    visit_lists<Real, Dimension>(
+        view.rows, view.centers[i], *view.lists, i,
+        [&](const NeighborLanes<Real, Dimension>& lanes) {
+            const Lanes<Real> zero{};
+            const Lanes<Real> one = all_lanes<Lanes<Real>>(1);
+            const Lanes<Real> near = lanes.distance_squared < range.outer_squared ? one : zero;
+            const Lanes<Real> counts = lanes.distance_squared > range.inner_squared ? near : zero;
+            for (int axis = 0; axis < Dimension; ++axis) {
+                const Lanes<Real> safe = axis == 0 ? one : zero;
+                store(as_floats(counts > zero ? -lanes.step[axis] : safe),
+                      &gathered.step[axis][gathered.size]);
+            }
+            store(as_floats(counts), &gathered.mass[gathered.size]);
+            store(as_floats(counts), &gathered.count[gathered.size]);
+            gathered.size += lane_count;
+        });
+}
+
 /// The options of the runtime that a scene asks for; sigma in the units of a step.
 inline SurfaceTensionOptions tension_settings(const TensionOptions& options, const StepUnits& units,
                                               double spacing) {
