@@ -179,9 +179,9 @@ private:
     }
 
     std::unique_ptr<Simulation> resumed(const SceneParticles& particles, const fs::path& file) {
-        if (particles.positions.size() != at.state.positions.size())
+        if (particles.positions.size() < at.state.positions.size())
             throw InputError(file.string() + ": has " + std::to_string(at.state.positions.size()) +
-                             " particles, expected the scene's " +
+                             " particles, expected no more than the scene's " +
                              std::to_string(particles.positions.size()) +
                              "; --restart starts the scene over");
         return simulate(scene, particles, at.state, result.threads);

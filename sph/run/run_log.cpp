@@ -42,7 +42,8 @@ std::vector<Column> columns(std::uint64_t frame, double time, const StepSums& su
             {"center_y", number_text(balance.center[1])},
             {"center_z", number_text(balance.center[2])},
             {"max_speed", number_text(balance.max_speed)},
-            {"surface_particles", std::to_string(balance.surface_particles)}};
+            {"surface_particles", std::to_string(balance.surface_particles)},
+            {"particles", std::to_string(balance.particles)}};
 }
 
 template <class TextOf>

@@ -60,6 +60,13 @@ struct FluidBody {
 
 using Wall = std::variant<BoxShape, SphereShape, MeshShape>;
 
+/// What becomes of particles that leave the domain.
+enum class Leaving {
+    few,    ///< they are removed, up to a hundredth of all; more end the run
+    remove, ///< they are removed
+    stop,   ///< the first one ends the run
+};
+
 enum class KernelKind {
     cubic_spline,
     mueller, ///< poly6 for densities and averages, spiky for gradients (Mueller et al. 2003)
@@ -128,9 +135,10 @@ struct Scene {
     std::vector<FluidBody> fluid;
     std::vector<Wall> walls;
     Place gravity{};
-    /// Where particles may be; one that leaves ends the run. Without it: the box around fluid and
-    /// walls, larger by its longest side in all directions.
+    /// Where particles may be. Without it: the box around fluid and walls, larger by its longest
+    /// side in all directions.
     std::optional<std::array<Place, 2>> domain;
+    Leaving leaving = Leaving::few;
     KernelKind kernel = KernelKind::cubic_spline;
     PressureOptions pressure;
     ViscosityOptions viscosity;
@@ -170,8 +178,8 @@ struct SceneParticles {
 
 /// Fills the scene's shapes. Throws InputError where a file cannot be read, where a snapshot's
 /// particles differ in mass or phase or lie so far out that its numbers do not hold their spacing,
-/// where there is no fluid at all, where two fluid particles lie closer than a tenth of a spacing
-/// (two bodies overlap), or where there would be more than 5e8 particles.
+/// where there is no fluid at all, where bodies overlap or fluid lies in a wall (naming particle
+/// and both), or where there would be more than 5e8 particles.
 SceneParticles fill_scene(const Scene& scene);
 
 /// Throws InputError, naming the particle by `what` and `number`, for a place so far from the

@@ -20,6 +20,7 @@ constexpr int max_lattice = 100000;
 
 const std::vector<std::string> precision_names{"single", "double"};
 const std::vector<std::string> kernel_names{"cubic_spline", "mueller"};
+const std::vector<std::string> leaving_names{"few", "remove", "stop"};
 const std::vector<std::string> side_names{"-x", "+x", "-y", "+y", "-z", "+z"};
 const std::vector<std::string> fluid_shapes{"lattice", "box", "ball", "snapshot"};
 const std::vector<std::string> wall_shapes{"box", "ball", "mesh"};
@@ -375,7 +376,7 @@ void read_shapes(const JsonReader& reader, const Frame& frame, Scene& scene) {
 Scene scene_from(const JsonReader& reader, const std::filesystem::path& folder) {
     reader.expect_only({"name", "dimension", "precision", "particle_spacing", "support_radius",
                         "rest_density", "volume_share", "duration", "frame_interval", "fluid",
-                        "walls", "gravity", "domain", "kernel", "pressure", "viscosity",
+                        "walls", "gravity", "domain", "leaving", "kernel", "pressure", "viscosity",
                         "surface_tension", "time_step", "variants"});
     Scene scene;
     scene.name = read_name(reader);
@@ -386,6 +387,8 @@ Scene scene_from(const JsonReader& reader, const std::filesystem::path& folder) 
     read_numbers(reader, scene);
     const Frame frame{scene.dimension, folder};
     read_shapes(reader, frame, scene);
+    if (reader.has("leaving"))
+        scene.leaving = static_cast<Leaving>(reader.choice("leaving", leaving_names));
     take(reader, "gravity", frame, scene.gravity);
     if (reader.has("kernel"))
         scene.kernel = static_cast<KernelKind>(reader.choice("kernel", kernel_names));
@@ -623,6 +626,7 @@ std::string scene_text(const Scene& scene) {
     json["duration"] = scene.duration;
     json["frame_interval"] = scene.frame_interval;
     add_shapes(scene, json);
+    json["leaving"] = name_of(scene.leaving, leaving_names);
     json["gravity"] = json_of(scene.gravity);
     json["kernel"] = name_of(scene.kernel, kernel_names);
     json["pressure"] = json_of(scene.pressure);

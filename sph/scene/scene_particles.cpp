@@ -172,23 +172,69 @@ void check_total(double particles, const char* of_what) {
                          " particles; take a larger particle_spacing");
 }
 
-/// Which body each particle belongs to is told by where the bodies start.
+/// "fluid[0]", where bodies (or walls) begin at these particles.
+std::string entry_of(const char* list, std::size_t particle,
+                     const std::vector<std::size_t>& starts) {
+    const auto next = std::upper_bound(starts.begin(), starts.end(), particle);
+    return std::string(list) + "[" + std::to_string(next - starts.begin() - 1) + "]";
+}
+
+[[noreturn]] void refuse_overlap(const Scene& scene, std::size_t i, const std::string& of_i,
+                                 std::size_t j, const std::string& of_j, double distance,
+                                 const char* advice) {
+    throw InputError("scene '" + scene.name + "': particles " + std::to_string(i) + " of " + of_i +
+                     " and " + std::to_string(j) + " of " + of_j + " lie " +
+                     rounded_text(distance / scene.particle_spacing, 2) +
+                     " spacings apart; " + advice);
+}
+
+double distance_of(const Place& a, const Place& b) {
+    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+/// Refuses particles that all but coincide, and bodies that overlap: a particle of one that lies
+/// among those of another.
 void check_distances(const Scene& scene, const SceneParticles& particles,
                      const std::vector<std::size_t>& starts) {
-    const NeighborLists lists =
-        find_neighbors(particles.positions, min_distance * scene.particle_spacing);
-    if (lists.neighbors.empty())
-        return;
-    const std::size_t i = std::upper_bound(lists.offsets.begin(), lists.offsets.end(), 0U) -
-                          lists.offsets.begin() - 1;
-    const auto body_of = [&](std::size_t particle) {
-        const auto next = std::upper_bound(starts.begin(), starts.end(), particle);
-        return "fluid[" + std::to_string(next - starts.begin() - 1) + "]";
-    };
-    const std::size_t j = lists.neighbors.front();
-    throw InputError("scene '" + scene.name + "': particles " + std::to_string(i) + " of " +
-                     body_of(i) + " and " + std::to_string(j) + " of " + body_of(j) +
-                     " lie closer than a tenth of a spacing; move the bodies apart");
+    constexpr double inside = 0.51; // one on the middle of an edge of the other's lattice
+    constexpr double among = 0.9;   // one anywhere in the other's lattice has several so near
+    const Positions& places = particles.positions;
+    const double spacing = scene.particle_spacing;
+    const NeighborLists lists = find_neighbors(places, among * spacing);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        int others = 0;
+        for (std::size_t n = lists.offsets[i]; n < lists.offsets[i + 1]; ++n) {
+            const std::size_t j = lists.neighbors[n];
+            const double distance = distance_of(places[i], places[j]) / spacing;
+            const std::string of_i = entry_of("fluid", i, starts);
+            const std::string of_j = entry_of("fluid", j, starts);
+            others += of_i == of_j ? 0 : 1;
+            if (distance < min_distance || (of_i != of_j && distance < inside) ||
+                others > scene.dimension - 1)
+                refuse_overlap(scene, i, of_i, j, of_j, distance * spacing,
+                               "bodies overlap there: move them apart");
+        }
+    }
+}
+
+/// Refuses fluid in a wall. A start half a spacing away is common, and the step makes room for it.
+void check_wall_distances(const Scene& scene, const SceneParticles& particles,
+                          const std::vector<std::size_t>& fluid_starts,
+                          const std::vector<std::size_t>& wall_starts) {
+    constexpr double inside = 0.4;
+    Positions places = particles.positions;
+    const std::size_t fluid = places.size();
+    places.insert(places.end(), particles.walls.begin(), particles.walls.end());
+    const NeighborLists lists = find_neighbors(places, inside * scene.particle_spacing);
+    for (std::size_t i = 0; i < fluid; ++i)
+        for (std::size_t n = lists.offsets[i]; n < lists.offsets[i + 1]; ++n) {
+            const std::size_t j = lists.neighbors[n];
+            if (j >= fluid)
+                refuse_overlap(scene, i, entry_of("fluid", i, fluid_starts), j - fluid,
+                               entry_of("walls", j - fluid, wall_starts),
+                               distance_of(places[i], places[j]),
+                               "fluid lies in the wall there: move one of them, or cut the fluid");
+        }
 }
 
 void check_domain(const Scene& scene, const SceneParticles& particles) {
@@ -238,7 +284,8 @@ auto naming_entry(const Scene& scene, const char* list, std::size_t entry, Work&
     }
 }
 
-void add_fluid(const Scene& scene, SceneParticles& particles) {
+/// Returns where the bodies begin.
+std::vector<std::size_t> add_fluid(const Scene& scene, SceneParticles& particles) {
     std::vector<std::size_t> starts;
     for (std::size_t b = 0; b < scene.fluid.size(); ++b) {
         const FluidBody& body = scene.fluid[b];
@@ -266,6 +313,7 @@ void add_fluid(const Scene& scene, SceneParticles& particles) {
         check_resolution(particles.positions[i], scene, what.c_str(), i);
     check_distances(scene, particles, starts);
     check_domain(scene, particles);
+    return starts;
 }
 
 } // namespace
@@ -283,15 +331,18 @@ void check_resolution(const Place& place, const Scene& scene, const char* what,
 
 SceneParticles fill_scene(const Scene& scene) {
     SceneParticles particles;
-    add_fluid(scene, particles);
+    const std::vector<std::size_t> fluid_starts = add_fluid(scene, particles);
+    std::vector<std::size_t> wall_starts;
     for (std::size_t w = 0; w < scene.walls.size(); ++w) {
         const Positions places = naming_entry(scene, "walls", w, [&] {
             return std::visit([&](const auto& shape) { return wall_places(shape, scene); },
                               scene.walls[w]);
         });
         check_total(double(particles.walls.size()) + double(places.size()), "wall");
+        wall_starts.push_back(particles.walls.size());
         particles.walls.insert(particles.walls.end(), places.begin(), places.end());
     }
+    check_wall_distances(scene, particles, fluid_starts, wall_starts);
     particles.mass = scene.rest_density * scene.volume_share;
     for (int axis = 0; axis < scene.dimension; ++axis)
         particles.mass *= scene.particle_spacing;

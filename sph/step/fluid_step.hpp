@@ -35,7 +35,8 @@ class FluidStep : public Step {
 public:
     FluidStep(const Scene& step_scene, const SceneParticles& particles, int threads)
         : scene(step_scene), domain(scene_domain(step_scene, particles)),
-          solver_row(pressure_solvers()[pressure_solver_place(scene.pressure.solver)]) {
+          solver_row(pressure_solvers()[pressure_solver_place(scene.pressure.solver)]),
+          first_count(particles.positions.size()) {
         fluid.loop.loop.threads = threads > 0 ? threads : omp_get_max_threads();
         fluid.kernel = scene.kernel;
         fluid.units.support_radius = scene.support_radius;
@@ -103,6 +104,7 @@ public:
         report.density_error = pressure.error;
         report.converged = divergence.converged && pressure.converged;
         check(state, report);
+        remove_outside(state);
         report.seconds.motion += clock.lap();
         return report;
     }
@@ -149,6 +151,7 @@ private:
     Scene scene;
     std::array<Place, 2> domain;
     const PressureSolverRow& solver_row;
+    std::size_t first_count; ///< of particles, before any left the domain
     Fluid<Real, Dimension> fluid;
     std::unique_ptr<PressureSolver<Real, Dimension>> solver;
     std::unique_ptr<SurfaceTensionModel<Real, Dimension>> tension;
@@ -517,14 +520,53 @@ private:
         return true;
     }
 
+    /// How many particles may leave the domain.
+    [[nodiscard]] std::size_t max_removed() const {
+        if (scene.leaving == Leaving::stop)
+            return 0;
+        return scene.leaving == Leaving::remove ? first_count - 1
+                                                : std::max<std::size_t>(first_count / 100, 1);
+    }
+
     void check(const SimulationState& state, const StepReport& report) const {
-        const double lost = fluid.loop.sum(fluid.count, [&](std::size_t i) {
+        const double outside = fluid.loop.sum(fluid.count, [&](std::size_t i) {
             return is_in_domain(state.positions[i]) ? 0.0 : 1.0;
         });
-        if (lost != 0 || !(report.density_error <= max_density_error))
+        const std::size_t lost = first_count - fluid.count + static_cast<std::size_t>(outside);
+        const bool too_many = outside > 0 && lost > max_removed();
+        if (too_many || !are_finite(state) || !(report.density_error <= max_density_error))
             throw_divergence(state, report);
         if (report.max_speed * report.time_step > longest_move * scene.support_radius)
             throw_leap(state, report);
+    }
+
+    [[nodiscard]] bool are_finite(const SimulationState& state) const {
+        return std::isfinite(fluid.loop.sum(fluid.count, [&](std::size_t i) {
+            const Place& place = state.positions[i];
+            return place[0] + place[1] + place[2];
+        }));
+    }
+
+    /// Takes out of the state what has left the domain.
+    void remove_outside(SimulationState& state) const {
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < state.positions.size(); ++i) {
+            if (!is_in_domain(state.positions[i]))
+                continue;
+            if (kept != i) {
+                state.ids[kept] = state.ids[i];
+                state.positions[kept] = state.positions[i];
+                state.velocities[kept] = state.velocities[i];
+                state.pressures[kept] = state.pressures[i];
+                state.divergences[kept] = state.divergences[i];
+            }
+            ++kept;
+        }
+        state.ids.resize(kept);
+        state.positions.resize(kept);
+        state.velocities.resize(kept);
+        state.pressures.resize(kept);
+        state.divergences.resize(kept);
     }
 
     [[noreturn]] void throw_divergence(const SimulationState& state,

@@ -43,7 +43,7 @@ void check_finite(const Place& vector, const char* whose, std::size_t number, co
                              " that is not finite");
 }
 
-void check_state(const SimulationState& state) {
+void check_state(const SimulationState& state, std::size_t first_count) {
     const std::size_t count = state.positions.size();
     if (count >= std::numeric_limits<std::uint32_t>::max() - 8)
         throw InputError("too many particles for one simulation: " + std::to_string(count));
@@ -54,9 +54,9 @@ void check_state(const SimulationState& state) {
         throw InputError("a simulation needs at least one particle, found none");
     if (!std::isfinite(state.time) || !std::isfinite(state.time_step) || state.time_step < 0)
         throw InputError("the time of the state to start from is not a number of seconds");
-    std::vector<std::uint8_t> seen(count, 0);
+    std::vector<std::uint8_t> seen(first_count, 0);
     for (std::size_t i = 0; i < count; ++i) {
-        if (state.ids[i] >= count || seen[state.ids[i]]++ != 0)
+        if (state.ids[i] >= first_count || seen[state.ids[i]]++ != 0)
             throw InputError("particle " + std::to_string(i) + " has the id " +
                              std::to_string(state.ids[i]) +
                              ", expected each number below the number of particles once");
@@ -201,12 +201,21 @@ void check_places(const SimulationState& state, const Scene& scene,
     }
 }
 
-/// Values in the order of ids.
+/// Values in the order of ids, some of which may be missing.
 template <class Value>
 std::vector<Value> by_id(const std::vector<std::uint32_t>& ids, const std::vector<Value>& values) {
-    std::vector<Value> sorted(values.size());
-    for (std::size_t i = 0; i < values.size(); ++i)
-        sorted[ids[i]] = values[i];
+    constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> place_of;
+    for (std::uint32_t i = 0; i < ids.size(); ++i) {
+        if (ids[i] >= place_of.size())
+            place_of.resize(ids[i] + 1, none);
+        place_of[ids[i]] = i;
+    }
+    std::vector<Value> sorted;
+    sorted.reserve(values.size());
+    for (const std::uint32_t i : place_of)
+        if (i != none)
+            sorted.push_back(values[i]);
     return sorted;
 }
 
@@ -227,7 +236,7 @@ public:
         : scene(its_scene), mass(particles.mass), walls(particles.walls),
           now(std::move(its_state)) {
         check_numbers(scene, particles);
-        check_state(now);
+        check_state(now, particles.positions.size());
         check_places(now, scene, particles);
         finds_surface = knows_surface(scene.surface_tension);
         stepper = make_step(scene, particles, threads);
@@ -252,6 +261,7 @@ public:
 
     [[nodiscard]] Balance balance() const override {
         Balance sums;
+        sums.particles = size();
         for (std::size_t i = 0; i < size(); ++i) {
             const Place& velocity = now.velocities[i];
             const Place& place = now.positions[i];
@@ -285,8 +295,8 @@ public:
         frame.particle_volume = particle_volume(scene);
         frame.time = now.time;
         frame.scene = scene.name;
-        std::vector<std::int64_t> ids(size());
-        std::iota(ids.begin(), ids.end(), 0);
+        std::vector<std::int64_t> ids(now.ids.begin(), now.ids.end());
+        std::sort(ids.begin(), ids.end());
         set_array(frame, {"id", 1, ids});
         set_array(frame, {"velocity", 3, flat<float>(by_id(now.ids, now.velocities))});
         set_array(frame, {"mass", 1, std::vector<float>(size(), static_cast<float>(mass))});

@@ -11,6 +11,7 @@ namespace meniscus {
 
 /// Sums over the fluid, in double whatever the step calculates in.
 struct Balance {
+    std::size_t particles = 0;         ///< fewer than at the start where some left the domain
     double kinetic_energy = 0;         ///< J
     double potential_energy = 0;       ///< J, of gravity, with the origin at height 0
     double surface_area = 0;           ///< m^2 (in 2D m), as SurfaceResults has it; 0 without

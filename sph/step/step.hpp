@@ -16,7 +16,8 @@ public:
     virtual ~Step() = default;
 
     /// Sorts the state's particles by cell, and moves them and their velocities on by one step of
-    /// at most `longest` (s). Throws Divergence.
+    /// at most `longest` (s). Takes those out that leave the domain, where the scene lets them.
+    /// Throws Divergence.
     virtual StepReport advance(SimulationState& state, double longest) = 0;
 
     /// Moves apart, without a change of velocities, what starts too close together, to a wall or to
