@@ -6,6 +6,7 @@
 #include <meniscus/data/text/files.hpp>
 #include <meniscus/data/text/text.hpp>
 #include <meniscus/sph/run/run.hpp>
+#include <meniscus/sph/scene/methods.hpp>
 
 #include <fmt/format.h>
 #include <memory>
@@ -67,6 +68,16 @@ private:
     }
 };
 
+/// What is likely not meant.
+void print_warnings(const Scene& scene) {
+    const double stable = longest_stable_step(scene);
+    if (scene.time_step.fixed.value_or(0) > stable)
+        print_error_line(fmt::format(
+            "warning: scene '{}': the fixed time step, {:.3g} s, is longer than {:.3g} s, which "
+            "solver, viscosity, surface tension and gravity leave stable",
+            scene.name, *scene.time_step.fixed, stable));
+}
+
 void print_result(const Scene& scene, const Path& folder, const RunResult& result) {
     const StepSums& sums = result.profile.sums;
     if (result.finished && sums.steps == 0) {
@@ -76,6 +87,13 @@ void print_result(const Scene& scene, const Path& folder, const RunResult& resul
     }
     const std::string resumed =
         result.start > 0 ? fmt::format(" from {} s on", rounded_text(result.start, 6)) : "";
+    if (result.parted > 0)
+        fmt::print("{}: {} particles started more than a tenth denser than at rest, too close to "
+                   "walls or each other; they were moved apart before the first step\n",
+                   folder.string(), result.parted);
+    if (result.removed > 0)
+        fmt::print("{}: {} particles left the domain and were removed\n", folder.string(),
+                   result.removed);
     const std::string unconverged =
         sums.unconverged_steps > 0
             ? fmt::format(", {} of them not converged", sums.unconverged_steps)
@@ -91,6 +109,7 @@ void run_simulate(const SimulateCommand& command) {
         changes.push_back("duration=" + command.duration);
     Scene scene = read_scene(command.scene, command.variant, changes);
     use_model_file(scene);
+    print_warnings(scene);
     if (!command.profile.empty())
         check_can_be_written(command.profile);
     make_writable_folder(command.folder);

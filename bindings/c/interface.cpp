@@ -95,7 +95,7 @@ void check_particles(const meniscus_surface& surface, const meniscus_particles* 
     check_struct(particles, "particles");
     const auto& [size, count, positions, stride, masses, radius, radii, ids, offsets, neighbors,
                  offset_bits, boundary_count, boundary, boundary_offsets, boundary_neighbors,
-                 boundary_weights, candidates] = *particles;
+                 boundary_weights, boundary_contact_angles, candidates] = *particles;
     demand(count <= std::size_t{std::numeric_limits<std::int32_t>::max()},
            "particles.count must be below 2^31");
     if (count == 0)
@@ -138,6 +138,7 @@ StepParticles step_particles(const meniscus_particles& from) {
     to.boundary_offsets = from.boundary_offsets;
     to.boundary_neighbors = from.boundary_neighbors;
     to.boundary_weights = from.boundary_weights;
+    to.boundary_contact_angles = from.boundary_contact_angles;
     to.candidates = from.candidates;
     return to;
 }
@@ -219,6 +220,11 @@ void check_contents(const meniscus_particles& particles, std::size_t dimension) 
     check_vectors<Real>("boundary_positions", particles.boundary_positions,
                         particles.boundary_count, stride, dimension);
     check_positive<Real>("boundary_weights", particles.boundary_weights, particles.boundary_count);
+    for (std::size_t b = 0;
+         particles.boundary_contact_angles != nullptr && b < particles.boundary_count; ++b)
+        if (!is_in_range(option_ranges::contact_angle,
+                         static_cast<double>(particles.boundary_contact_angles[b])))
+            fail_at("boundary_contact_angles", b, "must be between 10 and 170 degrees");
     check_rows("boundary_offsets", particles.offset_bits, particles.boundary_offsets,
                particles.boundary_neighbors, count, particles.boundary_count);
 }

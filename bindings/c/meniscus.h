@@ -103,6 +103,8 @@ typedef struct meniscus_options {
     double surface_tension;  /* sigma in N/m */
     double spacing_ratio;    /* support radius over the spacing of particles at rest, the root of
                                 their volume m / rho_0; picks the classifier that ships */
+    double contact_angle;    /* at which the surface meets a wall when both are at rest, in degrees,
+                                measured in the fluid, 10 to 170 */
     const meniscus_second_line* second_line;     /* NULL: none, unless k and d are NaN */
     const meniscus_curvature_map* curvature_map; /* NULL: the one that ships for the dimension */
     int coverage;                                /* meniscus_coverage */
@@ -142,6 +144,8 @@ typedef struct meniscus_particles {
                                      stands for, psi_b / m with the boundary volumes of Akinci
                                      et al. (2012). NULL: 1, which is safe and leaves more
                                      candidates at walls */
+    const float* boundary_contact_angles; /* one a boundary particle, degrees; NULL: that of the
+                                             options for all */
     /* The host's own classification in its density loop: not 0 for what the first line lets
      * through. NULL: that line decides here. */
     const uint8_t* candidates;

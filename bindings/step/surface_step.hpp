@@ -46,6 +46,7 @@ struct StepParticles {
     const std::uint32_t* boundary_neighbors = nullptr; ///< around each fluid particle
     /// real, how many fluid particles each stands for (runtime/neighbors/boundary.hpp); nullptr: 1
     const void* boundary_weights = nullptr;
+    const float* boundary_contact_angles = nullptr; ///< degrees; nullptr: that of the options
     /// The host's own classification: not 0 for what the first line lets through. nullptr: the line
     /// decides.
     const std::uint8_t* candidates = nullptr;

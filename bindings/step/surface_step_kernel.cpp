@@ -73,6 +73,7 @@ template <class Real, int Dimension>
 struct HostBoundary {
     static constexpr bool is_there = true;
     HostLists<Real, Dimension> lists;
+    const float* contact_angles;
 
     template <class Visit>
     void operator()(std::size_t i, Visit&& visit) const {
@@ -80,6 +81,13 @@ struct HostBoundary {
             lists(i, visit);
     }
 };
+
+template <class Real, int Dimension>
+double contact_angle_at(const HostBoundary<Real, Dimension>& boundary, std::size_t b,
+                        double usual) {
+    return boundary.contact_angles != nullptr ? static_cast<double>(boundary.contact_angles[b])
+                                              : usual;
+}
 
 template <class Real, int Dimension>
 class SurfaceStepKernel final : public SurfaceStep {
@@ -156,7 +164,8 @@ private:
         return {Lists{static_cast<const Real*>(particles.boundary_positions), stride_of(particles),
                       static_cast<const Real*>(particles.boundary_weights),
                       HostRows{offsets, particles.wide_offsets, particles.boundary_neighbors},
-                      static_cast<const Real*>(particles.positions)}};
+                      static_cast<const Real*>(particles.positions)},
+                particles.boundary_contact_angles};
     }
 
     template <class Do>

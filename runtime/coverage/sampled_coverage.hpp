@@ -34,8 +34,7 @@ struct SampledCaps {
         x[count] = static_cast<float>(step[0]);
         y[count] = static_cast<float>(step[1]);
         z[count] = static_cast<float>(step[2]);
-        limit[count] =
-            static_cast<float>((dot(step, step) + 1 - radius_ratio * radius_ratio) / 2);
+        limit[count] = static_cast<float>((dot(step, step) + 1 - radius_ratio * radius_ratio) / 2);
         ++count;
     }
 };

@@ -152,20 +152,18 @@ void gather_fluid(const View& view, std::size_t i, const Radii& radii,
 /// The same over compressed rows: written without a branch, since the length is known.
 template <int Dimension, class Real, int Stride, class Offset, class Index>
 void gather_fluid(const CsrNeighborhood<Real, Dimension, Stride, Offset, Index>& view,
-                  std::size_t i, const UniformRadius<Real>& radii,
-                  const NeighborRange<Real>& range, GatheredNeighbors& gathered) {
+                  std::size_t i, const UniformRadius<Real>& radii, const NeighborRange<Real>& range,
+                  GatheredNeighbors& gathered) {
     const auto begin = static_cast<std::size_t>(view.offsets[i]);
     const auto end = static_cast<std::size_t>(view.offsets[i + 1]);
     gathered.reserve(end - begin);
-    float* const to[] = {gathered.step[0].data(), gathered.step[1].data(),
-                         gathered.step[2].data()};
+    float* const to[] = {gathered.step[0].data(), gathered.step[1].data(), gathered.step[2].data()};
     float* const mass = gathered.mass.data();
     float* const count = gathered.count.data();
     const Real* const center = view.positions + i * Stride;
-    const Real unit =
-        view.masses == nullptr || begin == end
-            ? Real(1)
-            : 1 / view.masses[static_cast<std::size_t>(view.neighbors[begin])];
+    const Real unit = view.masses == nullptr || begin == end
+                          ? Real(1)
+                          : 1 / view.masses[static_cast<std::size_t>(view.neighbors[begin])];
     std::size_t size = 0;
     for (std::size_t n = begin; n < end; ++n) {
         const auto j = static_cast<std::size_t>(view.neighbors[n]);

@@ -31,11 +31,26 @@ template <class View>
 struct BoundaryView {
     static constexpr bool is_there = true;
     View view;
+    /// The angle, in degrees from 10 to 170, at which a surface at rest meets the wall, by b;
+    /// nullptr: that of the options for all.
+    const float* contact_angles = nullptr;
     template <class Visit>
     void operator()(std::size_t i, Visit&& visit) const {
         view(i, visit);
     }
 };
+
+/// The contact angle at boundary particle b, in degrees; `usual` where the boundary has none of its
+/// own.
+template <class Boundary>
+double contact_angle_at(const Boundary& /*boundary*/, std::size_t /*b*/, double usual) {
+    return usual;
+}
+template <class View>
+double contact_angle_at(const BoundaryView<View>& boundary, std::size_t b, double usual) {
+    return boundary.contact_angles != nullptr ? static_cast<double>(boundary.contact_angles[b])
+                                              : usual;
+}
 
 /// Another view of a boundary, whose particles count for a share of their volume: what a classifier
 /// was trained with.

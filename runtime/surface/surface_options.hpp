@@ -57,7 +57,7 @@ struct SurfaceTensionOptions {
     ForceForm force = ForceForm::calibrated;
     double surface_tension = 0.072;
     double spacing_ratio = 2;
-    double contact_angle = 90; ///< of walls, degrees
+    double contact_angle = 90;    ///< of walls, degrees
     SecondLine second_line{};     ///< of the classifier
     CurvatureMap curvature_map{}; ///< of dimension 0: the one that ships for the dimension
 };

@@ -57,8 +57,8 @@ struct SurfaceParticles {
     std::vector<Real> weight;   ///< in forces and averages, 0 to 1 (exposure_weight)
     std::vector<Vector> normal; ///< unit vector out of the fluid; zero where covered
     std::vector<Real> turning;  ///< of the normals, 1/m (curvature_map.hpp)
-    std::vector<Real> curvature;          ///< mean curvature kappa, 1/m
-    std::vector<Vector> force;            ///< N
+    std::vector<Real> curvature;                       ///< mean curvature kappa, 1/m
+    std::vector<Vector> force;                         ///< N
     std::vector<WallContact<Real, Dimension>> contact; ///< with a wall
     std::vector<std::size_t> pairs_begin; ///< of each slot, in `pairs`, and where the last ends
     std::vector<std::uint32_t> pairs_count;
@@ -494,24 +494,28 @@ void find_exposure(const View& view, const Boundary& boundary, const Radii& radi
                 const Plane wall =
                     plane_of<Dimension>(boundary, i, radii, 1 / options.spacing_ratio);
                 if (wall.is_there()) {
-                    const std::size_t set = directions.set_begin(ids != nullptr ? ids[i] : i);
+                    const std::size_t set = options.coverage == CoverageMethod::sampled
+                                                ? directions.set_begin(ids != nullptr ? ids[i] : i)
+                                                : 0;
                     const SphereSamples samples{directions, set, cells.coarse};
                     Vector3 outward = part.moment;
                     if (!is_surface)
-                        outward = part_without_boundary<Real, Dimension>(
-                                      view, radii, options, i, samples, memory[worker])
+                        outward = part_without_boundary<Real, Dimension>(view, radii, options, i,
+                                                                         samples, memory[worker])
                                       .moment;
                     auto& contact = list.contact[slot];
-                    contact = contact_of<Real, Dimension>(wall, outward, options.contact_angle,
-                                                          is_surface ? min_lean
-                                                                     : min_lean_below);
+                    contact = contact_of<Real, Dimension>(
+                        wall, outward,
+                        contact_angle_at(boundary, wall.nearest, options.contact_angle),
+                        is_surface ? min_lean : min_lean_below);
                     if (contact.is_there()) {
                         part = part_at_wall<Real, Dimension>(view, boundary, radii, options, i,
                                                              contact, outward, samples,
                                                              memory[worker]);
                         is_surface = is_surface || part.fraction > zero_uncovered_fraction;
                     }
-                    if (!is_surface || !(dot(part.moment, part.moment) > min_exposure * min_exposure))
+                    if (!is_surface ||
+                        !(dot(part.moment, part.moment) > min_exposure * min_exposure))
                         contact = {};
                 }
             }

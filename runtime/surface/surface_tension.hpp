@@ -152,6 +152,18 @@ public:
             loop);
     }
 
+    /// What the walls get back, N (in two dimensions N/m): the forces on fluid that touches them,
+    /// with the sign turned, so that fluid and walls together keep their momentum. After
+    /// balance_momentum() with a boundary.
+    [[nodiscard]] Coordinates<double, Dimension> wall_reaction() const {
+        Coordinates<double, Dimension> sum = {};
+        for (std::size_t slot = 0; slot < list.size(); ++slot)
+            if (list.particle[slot] < at_wall.size() && at_wall[list.particle[slot]] != 0)
+                for (std::size_t axis = 0; axis < Dimension; ++axis)
+                    sum[axis] -= static_cast<double>(list.force[slot][axis]);
+        return sum;
+    }
+
 private:
     SurfaceTensionOptions settings;
     SurfaceParticles<Real, Dimension> list;

@@ -52,6 +52,7 @@ inline constexpr double min_lean_below = 0.3;
 struct Plane {
     Vector3 normal = {0, 0, 0}; ///< unit vector towards the particle
     double distance = 0;        ///< of the particle from it; 0: no plane
+    std::size_t nearest = 0;    ///< boundary particle
 
     [[nodiscard]] bool is_there() const { return distance > 0; }
 };
@@ -62,18 +63,19 @@ inline double fit_weight(double squared) {
     return away * away * away / (squared + 0.01);
 }
 
-/// Calls visit(step) with the boundary particles around particle i, in its radii.
+/// Calls visit(step, squared length, b) with the boundary particles around particle i, in its
+/// radii.
 template <int Dimension, class Boundary, class Radii, class Visit>
 void visit_boundary(const Boundary& boundary, std::size_t i, const Radii& radii,
                     const Visit& visit) {
     const auto inverse = static_cast<double>(radii.inverse_of_pair(i, i));
-    boundary(i, [&](std::size_t /*b*/, const auto& displacement, auto /*weight*/) {
+    boundary(i, [&](std::size_t b, const auto& displacement, auto /*weight*/) {
         Vector3 step = {0, 0, 0};
         for (std::size_t axis = 0; axis < Dimension; ++axis)
             step[axis] = static_cast<double>(displacement[axis]) * inverse;
         const double squared = dot(step, step);
         if (squared < 1)
-            visit(step, squared);
+            visit(step, squared, b);
     });
 }
 
@@ -113,13 +115,16 @@ template <int Dimension, class Boundary, class Radii>
 Plane plane_of(const Boundary& boundary, std::size_t i, const Radii& radii, double spacing) {
     Vector3 away = {0, 0, 0}, nearest = {0, 0, 0};
     double least = 1;
-    visit_boundary<Dimension>(boundary, i, radii, [&](const Vector3& step, double squared) {
-        away = difference(away, scaled(fit_weight(squared), step));
-        if (squared < least) {
-            least = squared;
-            nearest = step;
-        }
-    });
+    std::size_t nearest_particle = 0;
+    visit_boundary<Dimension>(boundary, i, radii,
+                              [&](const Vector3& step, double squared, std::size_t b) {
+                                  away = difference(away, scaled(fit_weight(squared), step));
+                                  if (squared < least) {
+                                      least = squared;
+                                      nearest = step;
+                                      nearest_particle = b;
+                                  }
+                              });
     const double length = std::sqrt(dot(away, away));
     if (!(length > 0))
         return {};
@@ -131,15 +136,16 @@ Plane plane_of(const Boundary& boundary, std::size_t i, const Radii& radii, doub
         second = frame.second;
     }
     HeightSums sums;
-    visit_boundary<Dimension>(boundary, i, radii, [&](const Vector3& step, double squared) {
-        sums.add(fit_weight(squared), dot(step, first), dot(step, second), dot(step, up));
-    });
+    visit_boundary<Dimension>(
+        boundary, i, radii, [&](const Vector3& step, double squared, std::size_t /*b*/) {
+            sums.add(fit_weight(squared), dot(step, first), dot(step, second), dot(step, up));
+        });
     const auto [along_first, along_second] = sums.slopes<Dimension>();
     const Vector3 normal =
         difference(up, sum(scaled(along_first, first), scaled(along_second, second)));
     const double scale = 1 / std::sqrt(dot(normal, normal));
     const double above = -dot(nearest, normal) * scale - spacing / 2;
-    return {scaled(scale, normal), larger(above, min_distance * spacing)};
+    return {scaled(scale, normal), larger(above, min_distance * spacing), nearest_particle};
 }
 
 /// The contact of the surface with the wall, `outward` being about its normal; none where the
@@ -219,7 +225,7 @@ void visit_covering_at_wall(const View& view, const Boundary& boundary, const Ra
         visit_image(step, distance);
     });
     wall_contact::visit_boundary<Dimension>(
-        boundary, i, radii, [&](const Vector3& step, double /*squared*/) {
+        boundary, i, radii, [&](const Vector3& step, double /*squared*/, std::size_t /*b*/) {
             if (dot(step, normal) < -spacing / 2)
                 visit(step);
         });

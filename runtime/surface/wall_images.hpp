@@ -24,8 +24,8 @@ namespace wall_images {
 
 /// A normal seen in the wall: at the angle 2 theta - phi to the wall's normal in the place of phi.
 template <class Real, int Dimension>
-MENISCUS_INLINE Coordinates<Real, Dimension>
-image_of(const Coordinates<Real, Dimension>& normal, const WallContact<Real, Dimension>& contact) {
+MENISCUS_INLINE Coordinates<Real, Dimension> image_of(const Coordinates<Real, Dimension>& normal,
+                                                      const WallContact<Real, Dimension>& contact) {
     Real upward = 0;
     for (std::size_t axis = 0; axis < Dimension; ++axis)
         upward += normal[axis] * contact.normal[axis];

@@ -158,6 +158,7 @@ struct Fluid {
 
     std::vector<Row<Real>> wall_place; ///< w: psi_b = V_b, relative to the rest density; one more
     LaneLists wall_neighbors;          ///< of fluid particles
+    std::vector<float> wall_contact_angle; ///< one a place, degrees; empty: none of their own
     /// What psi_b is over 1 / sum_b' W_bb', the volume that classifiers weigh wall particles by
     /// (runtime/neighbors/boundary.hpp).
     Real wall_volume_share = 1;

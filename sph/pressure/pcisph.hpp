@@ -98,8 +98,8 @@ private:
                     walls += lanes.w * kernel.value(lanes.distance_squared);
                 });
             const Real excess = fluid.mass * sum_of_lanes(sum) + sum_of_lanes(walls) - 1;
-            this->pressure[i] = std::max(this->pressure[i] + step * excess,
-                                         min_pressure(fluid, i, clips));
+            this->pressure[i] =
+                std::max(this->pressure[i] + step * excess, min_pressure(fluid, i, clips));
             return std::max(excess, Real(0));
         });
         return fluid.count == 0 ? 0 : left / static_cast<double>(fluid.count);

@@ -150,7 +150,8 @@ private:
         const auto share = static_cast<Real>(turn > 0 ? 0 : (age - 1) / next);
         fluid.loop.each(fluid.count, [&](std::size_t i) {
             const Real updated = pressure[i];
-            pressure[i] = std::max(updated + share * (updated - before[i]), min_pressure(fluid, i, clips));
+            pressure[i] =
+                std::max(updated + share * (updated - before[i]), min_pressure(fluid, i, clips));
             before[i] = updated;
         });
         return next;

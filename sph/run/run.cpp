@@ -135,6 +135,7 @@ public:
             advance();
         }
         result.time = simulation ? simulation->time() : result.start;
+        result.removed = simulation ? result.particles - simulation->size() : 0;
         result.frames = at.next_frame;
         return result;
     }

@@ -37,7 +37,8 @@ struct RunResult {
     std::uint64_t frames = 0; ///< that are there, those from before a resume too
     std::size_t particles = 0;
     std::size_t wall_particles = 0;
-    std::size_t parted = 0; ///< Simulation::parted()
+    std::size_t parted = 0;  ///< Simulation::parted()
+    std::size_t removed = 0; ///< particles that left the domain, since the first state
     int threads = 0;
     StepProfile profile;
 };

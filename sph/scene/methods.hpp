@@ -91,6 +91,9 @@ double longest_stable_step(const Scene& scene);
 std::vector<std::string> meniscus_option_keys();
 void read_meniscus_options(const JsonReader& reader, TensionOptions& options);
 
+/// The same of Akinci's adhesion.
+void read_adhesion(const JsonReader& reader, TensionOptions& options);
+
 /// The types of all methods of one kind, whose common base is Base.
 template <class Base, class... Methods>
 struct MethodList {

@@ -58,7 +58,16 @@ struct FluidBody {
     Place velocity{};
 };
 
-using Wall = std::variant<BoxShape, SphereShape, MeshShape>;
+using WallShape = std::variant<BoxShape, SphereShape, MeshShape>;
+
+struct Wall {
+    WallShape shape;
+    /// In degrees; without it that of the surface tension (SurfaceTensionOptions).
+    std::optional<double> contact_angle{};
+
+    template <class Shape>
+    Wall(Shape its_shape) : shape(std::move(its_shape)) {} // NOLINT: a shape is a wall
+};
 
 /// What becomes of particles that leave the domain.
 enum class Leaving {
@@ -92,6 +101,7 @@ struct TensionOptions {
     /// Sigma in N/m where the model has it (TensionModelRow::has_sigma), else its own coefficient.
     double coefficient = 0;
     bool restrict_to_surface = false; ///< rivals: forces on surface particles only
+    double adhesion = 0;              ///< akinci_2013: beta of its attraction by walls; 0: none
     // The rest is for `meniscus`.
     bool balance_momentum = true; ///< takes net force and torque out of bodies that touch no wall
     /// Of the classifier that `surface` is to have in place of the one that ships; whoever runs the
@@ -173,7 +183,9 @@ struct SceneParticles {
     Positions positions;
     std::vector<Place> velocities; ///< one a particle
     Positions walls;               ///< wall particles
-    double mass = 0;               ///< of each fluid particle, kg
+    /// One a wall particle, degrees; empty where no wall has one of its own.
+    std::vector<float> wall_contact_angles{};
+    double mass = 0; ///< of each fluid particle, kg
 };
 
 /// Fills the scene's shapes. Throws InputError where a file cannot be read, where a snapshot's

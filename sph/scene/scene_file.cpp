@@ -186,8 +186,7 @@ FluidBody read_body(const JsonReader& reader, const Frame& frame) {
     return body;
 }
 
-Wall read_wall(const JsonReader& reader, const Frame& frame) {
-    reader.expect_only(wall_shapes);
+WallShape read_wall_shape(const JsonReader& reader, const Frame& frame) {
     const std::string shape = only_shape(reader, wall_shapes);
     const JsonReader at = reader.object_at(shape.c_str());
     if (shape == "box")
@@ -197,6 +196,17 @@ Wall read_wall(const JsonReader& reader, const Frame& frame) {
     if (frame.dimension == 2)
         reader.refuse("mesh", "in a scene of three dimensions; take boxes and balls");
     return read_mesh(at, frame);
+}
+
+Wall read_wall(const JsonReader& reader, const Frame& frame) {
+    std::vector<std::string> keys = wall_shapes;
+    keys.emplace_back("contact_angle");
+    reader.expect_only(keys);
+    Wall wall = read_wall_shape(reader, frame);
+    const OptionRange& range = option_ranges::contact_angle;
+    if (reader.has("contact_angle"))
+        wall.contact_angle = reader.number("contact_angle", range.min, range.max);
+    return wall;
 }
 
 /// Refuses a key that stands there although something else leaves it without a meaning.
@@ -374,10 +384,11 @@ void read_shapes(const JsonReader& reader, const Frame& frame, Scene& scene) {
 }
 
 Scene scene_from(const JsonReader& reader, const std::filesystem::path& folder) {
-    reader.expect_only({"name", "dimension", "precision", "particle_spacing", "support_radius",
-                        "rest_density", "volume_share", "duration", "frame_interval", "fluid",
-                        "walls", "gravity", "domain", "leaving", "kernel", "pressure", "viscosity",
-                        "surface_tension", "time_step", "variants"});
+    reader.expect_only({"name",           "dimension",       "precision",    "particle_spacing",
+                        "support_radius", "rest_density",    "volume_share", "duration",
+                        "frame_interval", "fluid",           "walls",        "gravity",
+                        "domain",         "leaving",         "kernel",       "pressure",
+                        "viscosity",      "surface_tension", "time_step",    "variants"});
     Scene scene;
     scene.name = read_name(reader);
     take(reader, "dimension", 2, 3, scene.dimension);
@@ -523,6 +534,7 @@ Json json_of(const TensionOptions& options) {
     Json json = {{"model", options.model},
                  {"coefficient", options.coefficient},
                  {"restrict_to_surface", options.restrict_to_surface},
+                 {"adhesion", options.adhesion},
                  {"balance_momentum", options.balance_momentum}};
     for_each_surface_option([&](const auto& option) {
         if (!comes_with_scene(option.name))
@@ -553,8 +565,10 @@ void add_shapes(const Scene& scene, Json& json) {
         json["fluid"].back()["velocity"] = json_of(body.velocity);
     }
     json["walls"] = Json::array();
-    for (const Wall& wall : scene.walls)
-        json["walls"].push_back(json_of_any(wall));
+    for (const Wall& wall : scene.walls) {
+        json["walls"].push_back(json_of_any(wall.shape));
+        json["walls"].back()["contact_angle"] = json_of(wall.contact_angle);
+    }
     json["domain"] = nullptr;
     if (scene.domain)
         json["domain"] = {{"low", json_of((*scene.domain)[0])},
@@ -592,6 +606,10 @@ void read_meniscus_options(const JsonReader& reader, TensionOptions& options) {
         if (option.only_sampled && options.surface.coverage == CoverageMethod::exact)
             refuse_with(reader, option.name, "it has no meaning for coverage exact");
     });
+}
+
+void read_adhesion(const JsonReader& reader, TensionOptions& options) {
+    take(reader, "adhesion", 0, max, options.adhesion);
 }
 
 Scene read_scene(const std::filesystem::path& file, const std::string& variant,

@@ -184,8 +184,8 @@ std::string entry_of(const char* list, std::size_t particle,
                                  const char* advice) {
     throw InputError("scene '" + scene.name + "': particles " + std::to_string(i) + " of " + of_i +
                      " and " + std::to_string(j) + " of " + of_j + " lie " +
-                     rounded_text(distance / scene.particle_spacing, 2) +
-                     " spacings apart; " + advice);
+                     rounded_text(distance / scene.particle_spacing, 2) + " spacings apart; " +
+                     advice);
 }
 
 double distance_of(const Place& a, const Place& b) {
@@ -336,11 +336,14 @@ SceneParticles fill_scene(const Scene& scene) {
     for (std::size_t w = 0; w < scene.walls.size(); ++w) {
         const Positions places = naming_entry(scene, "walls", w, [&] {
             return std::visit([&](const auto& shape) { return wall_places(shape, scene); },
-                              scene.walls[w]);
+                              scene.walls[w].shape);
         });
         check_total(double(particles.walls.size()) + double(places.size()), "wall");
         wall_starts.push_back(particles.walls.size());
         particles.walls.insert(particles.walls.end(), places.begin(), places.end());
+        particles.wall_contact_angles.resize(
+            particles.walls.size(), static_cast<float>(scene.walls[w].contact_angle.value_or(
+                                        scene.surface_tension.surface.contact_angle)));
     }
     check_wall_distances(scene, particles, fluid_starts, wall_starts);
     particles.mass = scene.rest_density * scene.volume_share;

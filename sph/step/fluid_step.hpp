@@ -55,6 +55,7 @@ public:
             detector = std::make_unique<MonteCarloTension<Real, Dimension>>(
                 scene.surface_tension, fluid.units, rest_spacing);
         add_walls(particles.walls);
+        add_contact_angles(particles.wall_contact_angles);
     }
 
     StepReport advance(SimulationState& state, double longest) override {
@@ -249,6 +250,12 @@ private:
         return sum;
     }
 
+    /// In the order of the walls, which `order` has of add_walls().
+    void add_contact_angles(const std::vector<float>& angles) {
+        for (std::size_t b = 0; b < angles.size(); ++b)
+            fluid.wall_contact_angle.push_back(angles[order[b]]);
+    }
+
     void resize(std::size_t count) {
         fluid.count = count;
         fluid.place.resize(count + 1);
@@ -323,9 +330,8 @@ private:
 
     [[nodiscard]] std::size_t count_denser(double limit) const {
         return static_cast<std::size_t>(
-            std::count_if(fluid.density.begin(), fluid.density.end(), [&](Real density) {
-                return density > static_cast<Real>(limit);
-            }));
+            std::count_if(fluid.density.begin(), fluid.density.end(),
+                          [&](Real density) { return density > static_cast<Real>(limit); }));
     }
 
     /// Moves particles as pressure would within one step from rest, but no farther than a tenth of
@@ -344,11 +350,12 @@ private:
         fluid.loop.each(fluid.count, [&](std::size_t i) {
             const Row<Real> move = fluid.velocity[i];
             const Real length = std::sqrt(dot_rows(move, move));
-            const double scale =
-                scene.support_radius * static_cast<double>(length > max_move ? max_move / length : 1);
+            const double scale = scene.support_radius *
+                                 static_cast<double>(length > max_move ? max_move / length : 1);
             for (int axis = 0; axis < Dimension; ++axis)
-                state.positions[i][axis] +=
-                    scale * static_cast<double>(axis == 0 ? move.x : axis == 1 ? move.y : move.z);
+                state.positions[i][axis] += scale * static_cast<double>(axis == 0   ? move.x
+                                                                        : axis == 1 ? move.y
+                                                                                    : move.z);
         });
     }
 
@@ -407,13 +414,11 @@ private:
         if (options.fixed)
             return std::min(*options.fixed, longest);
         const double spacing = scene.particle_spacing / scene.support_radius;
-        double step =
-            std::min(options.max, options.courant_factor * longest_stable_step(scene));
+        double step = std::min(options.max, options.courant_factor * longest_stable_step(scene));
         if (speed > 0)
             step = std::min(step, 0.4 * options.courant_factor * spacing / speed);
         if (acceleration > 0)
-            step = std::min(step,
-                            0.4 * options.courant_factor * std::sqrt(spacing / acceleration));
+            step = std::min(step, 0.4 * options.courant_factor * std::sqrt(spacing / acceleration));
         return std::min(std::max(step, options.min), longest);
     }
 

@@ -16,7 +16,7 @@ namespace meniscus {
 struct SimulationState {
     double time = 0;
     std::uint64_t steps = 0;
-    double time_step = 0; ///< the last one, s
+    double time_step = 0;           ///< the last one, s
     std::vector<std::uint32_t> ids; ///< places in the first state
     Positions positions;
     std::vector<Place> velocities;

@@ -8,7 +8,10 @@
 // K belongs to the pair and stands in the sum. h is a factor in n alone. Gamma is one number for
 // two terms of different units: m/s^2 beside the normals, m^4/(kg s^2) beside the cohesion. c is 32
 // in 3D. The papers have no 2D: there c = 75840 / 1881, with which the integral of C over the disk
-// is what it is over the ball in 3D, 237 / 1008.
+// is what it is over the ball in 3D, 237 / 1008. Walls attract by an adhesion of their own, with a
+// coefficient beta of its own (Akinci et al. 2013, eqs. 6 and 7; h^(D + 1/4) for their h^3.25):
+//     a_i = -beta sum_b psi_b A(|x_ib|) x_ib / |x_ib|
+//     A(r) = 0.007 / h^3.25 (-4 r^2 / h + 6 r - 2 h)^(1/4)  where h / 2 < r < h, else 0
 #pragma once
 
 #include "tension_model.hpp"
@@ -29,13 +32,24 @@ MENISCUS_INLINE Lanes<Real> akinci_cohesion(Lanes<Real> distance_squared) {
     return factor * spline / larger(q, all_lanes<Lanes<Real>>(static_cast<Real>(min_distance)));
 }
 
+/// A(q) / q, in support radii.
+template <class Real>
+MENISCUS_INLINE Lanes<Real> akinci_adhesion(Lanes<Real> distance_squared) {
+    const Lanes<Real> q = square_root(distance_squared);
+    const Lanes<Real> inside = (4 * q - 2) * (1 - q); // -4 q^2 + 6 q - 2
+    const Lanes<Real> root = square_root(square_root(larger(inside, Lanes<Real>{})));
+    return Real(0.007) * root / larger(q, all_lanes<Lanes<Real>>(static_cast<Real>(min_distance)));
+}
+
 template <class Real, int Dimension>
 class AkinciTension : public SurfaceTensionModel<Real, Dimension> {
 public:
     using FluidType = Fluid<Real, Dimension>;
     using SurfaceTensionModel<Real, Dimension>::SurfaceTensionModel;
 
-    static TensionModelRow row() { return {"akinci_2013", {}, nullptr, false, false}; }
+    static TensionModelRow row() {
+        return {"akinci_2013", {"adhesion"}, read_adhesion, false, false};
+    }
 
     void add_accelerations(FluidType& fluid) override {
         find_normals(fluid);
@@ -63,10 +77,24 @@ public:
             });
             fluid.acceleration[i] = plus(fluid.acceleration[i], factor, sum.total());
         });
+        if (this->options.adhesion > 0)
+            add_adhesion(fluid);
     }
 
 private:
     std::vector<Row<Real>> normal; ///< one more than particles; w: density
+
+    void add_adhesion(FluidType& fluid) const {
+        const auto factor = static_cast<Real>(-this->options.adhesion * fluid.units.rest_density /
+                                              fluid.units.support_radius);
+        fluid.loop.each(fluid.count, [&](std::size_t i) {
+            VectorSum<Real, Dimension> sum;
+            visit_walls(fluid, i, [&](const NeighborLanes<Real, Dimension>& lanes) {
+                sum.add(lanes.w * akinci_adhesion(lanes.distance_squared), lanes.step);
+            });
+            fluid.acceleration[i] = plus(fluid.acceleration[i], factor, sum.total());
+        });
+    }
 
     void find_normals(FluidType& fluid) {
         normal.resize(fluid.count + 1);

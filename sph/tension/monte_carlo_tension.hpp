@@ -53,22 +53,23 @@ void gather_fluid(const LaneListView<Real, Dimension, true>& view, std::size_t i
                   const UniformRadius<Real>& /*radii*/, const NeighborRange<Real>& range,
                   GatheredNeighbors& gathered) {
     gathered.reserve(view.lists->padded_count(i));
-    visit_lists<Real, Dimension>(
-        view.rows, view.centers[i], *view.lists, i,
-        [&](const NeighborLanes<Real, Dimension>& lanes) {
-            const Lanes<Real> zero{};
-            const Lanes<Real> one = all_lanes<Lanes<Real>>(1);
-            const Lanes<Real> near = lanes.distance_squared < range.outer_squared ? one : zero;
-            const Lanes<Real> counts = lanes.distance_squared > range.inner_squared ? near : zero;
-            for (int axis = 0; axis < Dimension; ++axis) {
-                const Lanes<Real> safe = axis == 0 ? one : zero;
-                store(as_floats(counts > zero ? -lanes.step[axis] : safe),
-                      &gathered.step[axis][gathered.size]);
-            }
-            store(as_floats(counts), &gathered.mass[gathered.size]);
-            store(as_floats(counts), &gathered.count[gathered.size]);
-            gathered.size += lane_count;
-        });
+    visit_lists<Real, Dimension>(view.rows, view.centers[i], *view.lists, i,
+                                 [&](const NeighborLanes<Real, Dimension>& lanes) {
+                                     const Lanes<Real> zero{};
+                                     const Lanes<Real> one = all_lanes<Lanes<Real>>(1);
+                                     const Lanes<Real> near =
+                                         lanes.distance_squared < range.outer_squared ? one : zero;
+                                     const Lanes<Real> counts =
+                                         lanes.distance_squared > range.inner_squared ? near : zero;
+                                     for (int axis = 0; axis < Dimension; ++axis) {
+                                         const Lanes<Real> safe = axis == 0 ? one : zero;
+                                         store(as_floats(counts > zero ? -lanes.step[axis] : safe),
+                                               &gathered.step[axis][gathered.size]);
+                                     }
+                                     store(as_floats(counts), &gathered.mass[gathered.size]);
+                                     store(as_floats(counts), &gathered.count[gathered.size]);
+                                     gathered.size += lane_count;
+                                 });
 }
 
 /// The options of the runtime that a scene asks for; sigma in the units of a step.
@@ -189,7 +190,9 @@ private:
             using Walls = LaneListView<Real, Dimension, false>;
             const Walls walls{fluid.wall_place.data(), fluid.place.data(), &fluid.wall_neighbors,
                               wall_weight};
-            find_forces(fluid, view, BoundaryView<Walls>{walls});
+            const auto& angles = fluid.wall_contact_angle;
+            find_forces(fluid, view,
+                        BoundaryView<Walls>{walls, angles.empty() ? nullptr : angles.data()});
         } else {
             find_forces(fluid, view, NoBoundary{});
         }

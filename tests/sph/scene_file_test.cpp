@@ -153,9 +153,9 @@ TEST_F(SceneFile, ReadsEveryShape) {
     EXPECT_EQ(snapshot.file, folder / "drop.vtkhdf");
     EXPECT_EQ(snapshot.translation, (Place{0, 20, 0}));
     ASSERT_EQ(read.walls.size(), 3U);
-    EXPECT_EQ(std::get<BoxShape>(read.walls[0]).open, (std::vector<std::string>{"-x", "+z"}));
-    EXPECT_EQ(std::get<SphereShape>(read.walls[1]).half_axes, (Place{0.3, 0.3, 0.3}));
-    const auto& mesh = std::get<MeshShape>(read.walls[2]);
+    EXPECT_EQ(std::get<BoxShape>(read.walls[0].shape).open, (std::vector<std::string>{"-x", "+z"}));
+    EXPECT_EQ(std::get<SphereShape>(read.walls[1].shape).half_axes, (Place{0.3, 0.3, 0.3}));
+    const auto& mesh = std::get<MeshShape>(read.walls[2].shape);
     EXPECT_EQ(mesh.file, folder / "glass.obj");
     EXPECT_EQ(mesh.scale, 2);
     EXPECT_EQ(mesh.translation, (Place{1, 0, 0}));
