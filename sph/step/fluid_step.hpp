@@ -384,6 +384,7 @@ private:
         detector->add_accelerations(fluid);
         const auto is_surface = detector->results(fluid).surface_class;
         fluid.acceleration = accelerations_before;
+        fluid.min_pressure.assign(fluid.count, 0); // the detector's forces do not act
         tension->add_accelerations(fluid);
         fluid.loop.each(fluid.count, [&](std::size_t i) {
             if (is_surface[i] != 2)

@@ -90,7 +90,7 @@ private:
         fluid.loop.each(fluid.count, [&](std::size_t i) {
             VectorSum<Real, Dimension> sum;
             visit_walls(fluid, i, [&](const NeighborLanes<Real, Dimension>& lanes) {
-                sum.add(lanes.w * akinci_adhesion(lanes.distance_squared), lanes.step);
+                sum.add(lanes.w * akinci_adhesion<Real>(lanes.distance_squared), lanes.step);
             });
             fluid.acceleration[i] = plus(fluid.acceleration[i], factor, sum.total());
         });

@@ -201,6 +201,7 @@ private:
     /// Next to a concave surface the pressure may be as low as the capillary one, (D - 1) sigma
     /// kappa: it is what holds the particles that such a surface pulls out of the fluid.
     void allow_suction(FluidType& fluid) const {
+        fluid.min_pressure.assign(fluid.count, 0);
         constexpr Real concave = Real(-0.15); // h kappa; less is the scatter of flat surfaces
         const auto& surface = tension.surface();
         const auto sigma = static_cast<Real>(tension.options().surface_tension);
