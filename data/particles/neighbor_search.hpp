@@ -92,6 +92,12 @@ private:
 /// cause is a damaged value or another unit.
 inline constexpr double max_radius_range = 1000;
 
+/// Neighbors nearer than this share of the support radius cover nothing and count in no feature
+/// where the covering spheres have 0.8 of it; beyond the first so many they are left out of lists,
+/// so that memory is linear in the number of particles even where all lie in one place.
+inline constexpr double crowd_radius = 0.1998; // below 0.2, at which runtime and rounding decide
+inline constexpr std::size_t max_crowd = 100;
+
 /// The neighbors of each particle at a distance strictly below its radius (m), or where radii vary,
 /// below the mean of the pair's. `threads` 0 takes all cores; the result does not depend on it.
 /// Throws InputError where a radius is not positive and finite or its square would leave the range
