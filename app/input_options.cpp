@@ -52,9 +52,10 @@ void add_input_options(CLI::App& verb, InputOptions& options) {
                                 const char* meaning) {
         verb.add_option(name, choices, meaning)->delimiter(',')->allow_extra_args(false);
     };
-    add_choice("--fluid", options.fluid,
-               "Particles that are fluid: arrays by their names (PySPH), or point data and a value, "
-               "as in Type=3 (default: told by names, or by DualSPHysics' Type)");
+    add_choice(
+        "--fluid", options.fluid,
+        "Particles that are fluid: arrays by their names (PySPH), or point data and a value, "
+        "as in Type=3 (default: told by names, or by DualSPHysics' Type)");
     add_choice("--walls", options.walls, "Particles that are walls, which cover, chosen likewise");
     add_choice("--ignore", options.ignored, "Particles that are left out, chosen likewise");
     verb.add_option("--periodic", options.periodic,
@@ -88,8 +89,8 @@ Snapshot read_input(const Path& file, const InputOptions& options) {
         snapshot.particle_volume = options.particle_volume;
     snapshot.scene = options.scene.empty() ? scene_of(snapshot, file) : options.scene;
     if (options.support_radius || options.particle_radius) {
-        snapshot.support_radius = options.support_radius ? *options.support_radius
-                                                         : 4 * *options.particle_radius;
+        snapshot.support_radius =
+            options.support_radius ? *options.support_radius : 4 * *options.particle_radius;
         snapshot.provenance.erase("support_radius_from");
     }
     const SupportRadii radii = support_radii(snapshot);
@@ -148,17 +149,22 @@ std::string reading_notes(const Snapshot& snapshot) {
     return lines;
 }
 
-void warn_of_support_radius(const Path& file, const Snapshot& snapshot,
+bool warn_of_support_radius(const Path& file, const Snapshot& snapshot,
                             const std::vector<std::uint8_t>& valid,
                             const std::vector<std::uint8_t>& surface) {
     constexpr std::ptrdiff_t min_for_doubt = 100;
     const std::string doubt = doubtful_support_radius(snapshot, support_radii(snapshot), valid);
-    if (!doubt.empty())
+    if (!doubt.empty()) {
         print_error_line(fmt::format("warning: {}: {}", file.string(), doubt));
+        return true;
+    }
     const auto all = std::count(valid.begin(), valid.end(), 1);
-    if (all >= min_for_doubt && std::count(surface.begin(), surface.end(), 1) == all)
+    const bool no_interior =
+        all >= min_for_doubt && std::count(surface.begin(), surface.end(), 1) == all;
+    if (no_interior)
         print_error_line(fmt::format("warning: {}: all {} particles are surface; is the {} right?",
                                      file.string(), all, support_radius_text(snapshot)));
+    return no_interior;
 }
 
 } // namespace meniscus

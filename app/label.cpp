@@ -34,13 +34,13 @@ void report(const Path& output, const Snapshot& snapshot, const Labels& labels,
         print_error_line("warning: " + output.string() + ": " + warning);
     const double mean = mean_neighbor_count(labels);
     const auto [lowest, highest] = plausible_neighbor_counts(snapshot.dimension);
-    if (snapshot.size() > 0 && (mean < lowest || mean > highest))
+    const bool warned = warn_of_support_radius(output, snapshot, labels.valid, labels.surface);
+    if (!warned && snapshot.size() > 0 && (mean < lowest || mean > highest))
         print_error_line(
             fmt::format("warning: {}: a mean neighbor count of {:.1f} is implausible in {}D "
                         "(expected {} to {}); is the {} right?",
                         output.string(), mean, snapshot.dimension, lowest, highest,
                         support_radius_text(snapshot)));
-    warn_of_support_radius(output, snapshot, labels.valid, labels.surface);
     if (quiet)
         return;
     const auto surface = std::accumulate(labels.surface.begin(), labels.surface.end(), 0UL);
@@ -163,10 +163,11 @@ std::function<void()> add_method_options(CLI::App& verb, LabelOptions& options) 
 void add_label(CLI::App& command) {
     auto options = std::make_shared<LabelCommand>();
     auto* verb = command.add_subcommand("label", "Decide which particles of snapshots are surface");
-    verb->add_option("INPUT", options->files.inputs,
-                     "Snapshots, told by their content: the project's own .vtkhdf, VTK's .vtk, .vtu "
-                     "and .vtp, Partio's .bgeo, HDF5 of PySPH, GADGET and H5Part, CSV with named "
-                     "columns, .ply, NumPy's .npy, extended .xyz, LAMMPS dumps")
+    verb->add_option(
+            "INPUT", options->files.inputs,
+            "Snapshots, told by their content: the project's own .vtkhdf, VTK's .vtk, .vtu "
+            "and .vtp, Partio's .bgeo, HDF5 of PySPH, GADGET and H5Part, CSV with named "
+            "columns, .ply, NumPy's .npy, extended .xyz, LAMMPS dumps")
         ->required();
     verb->add_option("-o,--output", options->files.folder,
                      "Folder for the labelled snapshots, DIR/<stem of INPUT>.vtkhdf")

@@ -38,9 +38,9 @@ Snapshot read_input(const Path& file, const InputOptions& options);
 
 /// Boundary particles from a file of their own.
 struct Boundary {
-    Positions positions; ///< none where no file is given
+    Positions positions;    ///< none where no file is given
     bool is_turned = false; ///< a flat state in x and y, as we write it
-    std::string hash;    ///< SHA-256 of the file
+    std::string hash;       ///< SHA-256 of the file
 };
 
 /// Reads the boundary of all inputs; none where `file` is empty. Where the file holds a fluid and a
@@ -61,9 +61,9 @@ void set_periodic(Snapshot& snapshot, const InputOptions& options);
 /// Lines to print on what the reader had to choose, leave out, or take for something else.
 std::string reading_notes(const Snapshot& snapshot);
 
-/// Warns on standard error of a support radius that fits the particles ill, and where all of them
-/// are surface.
-void warn_of_support_radius(const Path& file, const Snapshot& snapshot,
+/// Warns on standard error of a support radius that fits the particles ill, or else where all of
+/// them are surface. Returns whether it did.
+bool warn_of_support_radius(const Path& file, const Snapshot& snapshot,
                             const std::vector<std::uint8_t>& valid,
                             const std::vector<std::uint8_t>& surface);
 

@@ -302,8 +302,8 @@ void take_points(Source& source, const std::vector<Attribute>& attributes, Snaps
     }
 }
 
-/// A particle primitive is a list of points, which says nothing that they do not. Another is a curve
-/// or a surface.
+/// A particle primitive is a list of points, which says nothing that they do not. Another is a
+/// curve or a surface.
 void skip_primitive(Source& source) {
     const auto type = take_number<std::uint32_t>(source, "primitive");
     if (type != particle_primitive) {

@@ -82,7 +82,7 @@ std::ptrdiff_t axis_count(const Axes& axes) {
 
 // Names of vectors in lower case, the likeliest first.
 constexpr std::string_view position_names[] = {"points", "position",    "positions", "pos",
-                                               "coords", "coordinates", "", "p"};
+                                               "coords", "coordinates", "",          "p"};
 constexpr std::string_view velocity_names[] = {"velocity", "vel", "v"};
 
 /// Two axes of a position at least; fewer are none.
@@ -147,7 +147,7 @@ struct Column {
     std::string array; ///< the name that it gets as point data; empty where it is none of itself
     bool is_needed = false;   ///< must hold numbers
     bool is_left_out = false; ///< for its empty cells
-    Numbers values;         ///< integers until one is not
+    Numbers values;           ///< integers until one is not
 };
 
 struct Table {
@@ -282,8 +282,8 @@ bool append_number(Column& column, std::string_view cell) {
     return true;
 }
 
-/// A column that begins with text is one of text all along, so that a slip in a number is found. One
-/// that nothing needs is left out where it has empty cells.
+/// A column that begins with text is one of text all along, so that a slip in a number is found.
+/// One that nothing needs is left out where it has empty cells.
 void append(const Source& source, Column& column, std::string_view cell) {
     if (column.is_left_out)
         return;
@@ -418,6 +418,8 @@ Snapshot read_csv(const fs::path& file, const ReadChoices& /*choices*/) {
         fail(source, "", "a line up to here that names columns of positions, such as 'x,y,z'",
              "none");
     }
+    if (source.rest.empty() && bytes.back() != '\n')
+        fail(source, "", "a line break behind the names", "none; export the file again");
     check_end(source, header->separator);
     double time = 0;
     if (header->time && (read_number(*header->time, time) != std::errc() || !std::isfinite(time)))

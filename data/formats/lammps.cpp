@@ -1,5 +1,5 @@
-// LAMMPS's text dumps ("ITEM: TIMESTEP ...") of one state: positions x, y, z, unwrapped (xu, yu, zu)
-// or in fractions of the box (xs, ys, zs). A box that is periodic ("pp") goes to provenance.
+// LAMMPS's text dumps ("ITEM: TIMESTEP ...") of one state: positions x, y, z, unwrapped (xu, yu,
+// zu) or in fractions of the box (xs, ys, zs). A box that is periodic ("pp") goes to provenance.
 #include "snapshot_formats.hpp"
 
 #include "detail/number_blocks.hpp"
@@ -65,8 +65,7 @@ void unscale(const Lines& lines, Snapshot& snapshot, const Box& box) {
         fail(lines, "positions x, y, z in a tilted box", "fractions of it; dump x y z");
     for (auto& position : snapshot.positions)
         for (std::size_t axis = 0; axis < 3; ++axis)
-            position[axis] =
-                box.low[axis] + position[axis] * (box.high[axis] - box.low[axis]);
+            position[axis] = box.low[axis] + position[axis] * (box.high[axis] - box.low[axis]);
 }
 
 std::string words_of(const Box& box) {

@@ -94,8 +94,7 @@ void read_field(Source& source, const Words& header, Arrays& arrays,
 }
 
 /// SCALARS name type [components], LOOKUP_TABLE name, and the values.
-void read_scalars(Source& source, const Words& header, Arrays& arrays,
-                  std::uint64_t tuples) {
+void read_scalars(Source& source, const Words& header, Arrays& arrays, std::uint64_t tuples) {
     expect_words(source, header, "SCALARS", "SCALARS name type [components]", 3, 4);
     const std::string section = "SCALARS " + quoted_text(header[1]);
     const ScalarType& type = parse_type(source, section, header[2]);
@@ -118,8 +117,7 @@ void skip_lookup_table(Source& source, const Words& header) {
 
 /// COLOR_SCALARS name components: how VTK writes unsigned_char values that it would color by. They
 /// are bytes in binary files, fractions of 255 in ASCII ones.
-void read_color_scalars(Source& source, const Words& header, Arrays& arrays,
-                        std::uint64_t tuples) {
+void read_color_scalars(Source& source, const Words& header, Arrays& arrays, std::uint64_t tuples) {
     expect_words(source, header, "COLOR_SCALARS", "COLOR_SCALARS name components", 3, 3);
     const std::string section = "COLOR_SCALARS " + quoted_text(header[1]);
     const int components = parse_components(source, section, header[2]);
@@ -140,8 +138,8 @@ void read_color_scalars(Source& source, const Words& header, Arrays& arrays,
 }
 
 /// KEYWORD name type, and the values.
-void read_plain(Source& source, const Words& header, Arrays& arrays,
-                std::uint64_t tuples, int components) {
+void read_plain(Source& source, const Words& header, Arrays& arrays, std::uint64_t tuples,
+                int components) {
     expect_words(source, header, header[0], header[0] + " name type", 3, 3);
     const std::string section = header[0] + " " + quoted_text(header[1]);
     const ScalarType& type = parse_type(source, section, header[2]);
@@ -151,8 +149,7 @@ void read_plain(Source& source, const Words& header, Arrays& arrays,
 }
 
 /// TEXTURE_COORDINATES name components type, and the values.
-void read_texture_coordinates(Source& source, Words header, Arrays& arrays,
-                              std::uint64_t tuples) {
+void read_texture_coordinates(Source& source, Words header, Arrays& arrays, std::uint64_t tuples) {
     expect_words(source, header, "TEXTURE_COORDINATES", "TEXTURE_COORDINATES name components type",
                  4, 4);
     const int components = parse_components(source, header[0], header[2]);
@@ -170,8 +167,7 @@ constexpr PlainAttribute plain_attributes[] = {
     {"GLOBAL_IDS", 1}, {"PEDIGREE_IDS", 1}, {"EDGE_FLAGS", 1}};
 
 /// One section of POINT_DATA or CELL_DATA.
-void read_attribute(Source& source, const Words& header, Arrays& arrays,
-                    std::uint64_t tuples) {
+void read_attribute(Source& source, const Words& header, Arrays& arrays, std::uint64_t tuples) {
     if (starts_with(header, "FIELD"))
         return read_field(source, header, arrays, tuples);
     if (starts_with(header, "SCALARS"))

@@ -105,7 +105,8 @@ Snapshot read_npy(const fs::path& file, const ReadChoices& /*choices*/) {
     const NumberType type = type_of(file, header.description);
     const std::uint64_t row_bytes = header.columns * size_of(type);
     if (header.rows > rest.size() / row_bytes || header.rows * row_bytes != rest.size())
-        fail(file, std::to_string(header.rows) + " x " + std::to_string(header.columns) + " numbers",
+        fail(file,
+             std::to_string(header.rows) + " x " + std::to_string(header.columns) + " numbers",
              std::to_string(rest.size()) + " bytes; export it again");
     const ArrayValues values = decoded(type, rest, header.description.front() == '>');
     Snapshot snapshot;

@@ -1,5 +1,5 @@
-// Stanford's PLY: the element `vertex` with x, y and z is the particles, its other properties of one
-// number are point data. Text or bytes of either order. Faces would make it a mesh.
+// Stanford's PLY: the element `vertex` with x, y and z is the particles, its other properties of
+// one number are point data. Text or bytes of either order. Faces would make it a mesh.
 #include "snapshot_formats.hpp"
 
 #include "detail/number_blocks.hpp"
@@ -44,13 +44,13 @@ struct TypeName {
 };
 
 constexpr TypeName type_names[] = {
-    {"char", NumberType::int8},     {"int8", NumberType::int8},
-    {"uchar", NumberType::uint8},   {"uint8", NumberType::uint8},
-    {"short", NumberType::int16},   {"int16", NumberType::int16},
-    {"ushort", NumberType::uint16}, {"uint16", NumberType::uint16},
-    {"int", NumberType::int32},     {"int32", NumberType::int32},
-    {"uint", NumberType::uint32},   {"uint32", NumberType::uint32},
-    {"float", NumberType::float32}, {"float32", NumberType::float32},
+    {"char", NumberType::int8},      {"int8", NumberType::int8},
+    {"uchar", NumberType::uint8},    {"uint8", NumberType::uint8},
+    {"short", NumberType::int16},    {"int16", NumberType::int16},
+    {"ushort", NumberType::uint16},  {"uint16", NumberType::uint16},
+    {"int", NumberType::int32},      {"int32", NumberType::int32},
+    {"uint", NumberType::uint32},    {"uint32", NumberType::uint32},
+    {"float", NumberType::float32},  {"float32", NumberType::float32},
     {"double", NumberType::float64}, {"float64", NumberType::float64},
 };
 

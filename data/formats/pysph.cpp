@@ -3,10 +3,10 @@
 // /solver_data. What such a file leaves open is taken as follows, and the snapshot's provenance
 // says so:
 //   - Which arrays are walls is told by their names (boundary, solid, wall, tank, ...), and rigid
-//     bodies by their property `body_id`; fluid, water and the like are fluid, each one a phase where
-//     there are several, and inlets and outlets are more of it. One array by another name is the
-//     fluid where there is no other, and else has to be chosen by whoever reads the file. An array
-//     that is alone is fluid whatever its name. (`fluid_arrays`, `boundary_arrays`)
+//     bodies by their property `body_id`; fluid, water and the like are fluid, each one a phase
+//     where there are several, and inlets and outlets are more of it. One array by another name is
+//     the fluid where there is no other, and else has to be chosen by whoever reads the file. An
+//     array that is alone is fluid whatever its name. (`fluid_arrays`, `boundary_arrays`)
 //   - Ghosts, which are copies across a periodic box or a mirror, cover as walls do.
 //   - PySPH's h is a smoothing length; the support radius is 2 h, as for its cubic spline and
 //     Wendland kernels. (`support_radius_from`)
@@ -166,8 +166,8 @@ constexpr double real_tag = 0;
 constexpr double ghost_tag = 2; // 1 is a copy of another process's
 
 /// The particles with that tag, which without tags are all real.
-Indices tagged_particles(const Hdf5Source& source, const std::string& folder,
-                         std::size_t particles, double tag) {
+Indices tagged_particles(const Hdf5Source& source, const std::string& folder, std::size_t particles,
+                         double tag) {
     const std::vector<double> tags = read_scalars(source, folder, "tag", particles);
     Indices tagged;
     for (std::size_t i = 0; i < particles; ++i)
@@ -176,8 +176,8 @@ Indices tagged_particles(const Hdf5Source& source, const std::string& folder,
     return tagged;
 }
 
-Positions read_positions(const Hdf5Source& source, const std::string& folder,
-                         std::size_t particles, const Indices& rows) {
+Positions read_positions(const Hdf5Source& source, const std::string& folder, std::size_t particles,
+                         const Indices& rows) {
     Positions positions(rows.size());
     for (const std::size_t axis : {0, 1, 2}) {
         const std::string name(1, "xyz"[axis]);
@@ -188,8 +188,8 @@ Positions read_positions(const Hdf5Source& source, const std::string& folder,
     return positions;
 }
 
-/// The real particles of one array, its ghosts being the boundary. With `properties`, all that is stored of them, under PySPH's
-/// names.
+/// The real particles of one array, its ghosts being the boundary. With `properties`, all that is
+/// stored of them, under PySPH's names.
 Snapshot read_array(const Hdf5Source& source, const std::string& array, bool properties) {
     const std::string folder = folder_of(array);
     if (!exists(source, "/particles/" + array) || !exists(source, folder))

@@ -13,8 +13,8 @@ namespace {
 
 /// What all formats have in common: names, roles of particles, and the plane.
 void settle(Snapshot& snapshot, const ReadChoices& choices) {
+    choose_particles(snapshot, choices); // by the names of the file
     use_our_names(snapshot);
-    choose_particles(snapshot, choices);
     if (choices.is_boundary)
         return;
     if (choices.dimension == 2)

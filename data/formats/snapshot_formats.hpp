@@ -22,8 +22,7 @@ struct SnapshotFormat {
     Snapshot (*reader)(const std::filesystem::path& file, const ReadChoices& choices);
 
     /// As the file has it, but for choices that name arrays of particles.
-    Snapshot read(const std::filesystem::path& file,
-                                const ReadChoices& choices = {}) const {
+    Snapshot read(const std::filesystem::path& file, const ReadChoices& choices = {}) const {
         return reader(file, choices);
     }
 };

@@ -261,9 +261,8 @@ void check_types(const Source& source, const ArrayValues& types) {
 Piece piece_of(const Source& source, const xml::Tag& tag) {
     for (const char* mesh : {"NumberOfLines", "NumberOfStrips", "NumberOfPolys"})
         if (count_attribute(source, tag, mesh, 0) > 0)
-            fail(source, "Piece", "points and vertices", std::string(mesh) + " = " +
-                                                             xml::attribute(tag, mesh) +
-                                                             "; a mesh is no snapshot");
+            fail(source, "Piece", "points and vertices",
+                 std::string(mesh) + " = " + xml::attribute(tag, mesh) + "; a mesh is no snapshot");
     return {count_attribute(source, tag, "NumberOfPoints", 0),
             count_attribute(source, tag, "NumberOfCells", 0)};
 }
@@ -336,9 +335,9 @@ void read_elements(Source& source, std::string_view rest, Snapshot& snapshot) {
         }
     }
     for (const PointArray& array : snapshot.point_data)
-        if (count_of(array.values) !=
-            snapshot.size() * static_cast<std::size_t>(array.components))
-            fail(source, "PointData", "values for all " + std::to_string(snapshot.size()) + " points",
+        if (count_of(array.values) != snapshot.size() * static_cast<std::size_t>(array.components))
+            fail(source, "PointData",
+                 "values for all " + std::to_string(snapshot.size()) + " points",
                  quoted_text(array.name) + " of other length");
 }
 
@@ -349,9 +348,9 @@ void read_preamble(Source& source, std::string_view rest) {
         fail(source, "header", "<VTKFile ...>", "something else");
     source.kind = xml::attribute(*tag, "type");
     if (source.kind != "UnstructuredGrid" && source.kind != "PolyData") {
-        const bool is_index = !source.kind.empty() &&
-                              (source.kind.front() == 'P' || source.kind == "Collection" ||
-                               source.kind.rfind("vtk", 0) == 0);
+        const bool is_index =
+            !source.kind.empty() && (source.kind.front() == 'P' || source.kind == "Collection" ||
+                                     source.kind.rfind("vtk", 0) == 0);
         fail(source, "VTKFile type", "UnstructuredGrid or PolyData",
              quoted_text(source.kind) + (is_index ? ", which names other files; give those"
                                                   : "; export particles as one of these"));

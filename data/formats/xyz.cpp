@@ -1,5 +1,5 @@
-// Extended XYZ, as OVITO and ASE write it: the number of particles, a line of properties, and a line
-// a particle. Without properties the columns are a species and x, y, z.
+// Extended XYZ, as OVITO and ASE write it: the number of particles, a line of properties, and a
+// line a particle. Without properties the columns are a species and x, y, z.
 #include "snapshot_formats.hpp"
 
 #include "detail/number_blocks.hpp"
@@ -56,8 +56,8 @@ std::vector<WordColumn> columns_of(const Lines& lines, std::string_view properti
     return columns;
 }
 
-/// True where the first line is a count alone, and the second has properties or the third a word and
-/// three numbers.
+/// True where the first line is a count alone, and the second has properties or the third a word
+/// and three numbers.
 bool is_xyz(const fs::path& file) {
     const std::string begin = read_whole(file, 4096);
     Lines lines{file, begin};
@@ -83,8 +83,7 @@ Snapshot read_xyz(const fs::path& file, const ReadChoices& /*choices*/) {
     Lines lines{file, bytes};
     const std::uint64_t count = take_count(lines, "particles");
     const std::string_view properties = value_of(take_line(lines), "Properties=");
-    auto columns =
-        columns_of(lines, properties.empty() ? "species:S:1:pos:R:3" : properties);
+    auto columns = columns_of(lines, properties.empty() ? "species:S:1:pos:R:3" : properties);
     if (find_column(columns, "x") == nullptr || find_column(columns, "y") == nullptr)
         fail(lines, "a property pos of 2 or 3 columns", quoted_text(properties));
     take_rows(lines, count, columns);

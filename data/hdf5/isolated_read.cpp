@@ -430,8 +430,7 @@ ReadLimits limits_for(std::uint64_t file_bytes) {
             20 + file_bytes / 250'000};
 }
 
-Snapshot read_isolated(const fs::path& file, const SnapshotReader& read,
-                       const ReadLimits& limits) {
+Snapshot read_isolated(const fs::path& file, const SnapshotReader& read, const ReadLimits& limits) {
     const std::uint64_t max_memory = memory_in_use() + limits.memory_bytes;
     const auto [pipe, process] = start(file, read, limits, max_memory);
     Child child(process, pipe);

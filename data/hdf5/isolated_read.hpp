@@ -31,11 +31,10 @@ ReadLimits limits_for(std::uint64_t file_bytes);
 /// Memory is not limited under AddressSanitizer, which reserves more than any limit.
 /// Not to be called while another thread is inside the HDF5 library, whose lock the child would
 /// wait for.
-Snapshot read_isolated(const std::filesystem::path& file,
-                       const SnapshotReader& read, const ReadLimits& limits);
+Snapshot read_isolated(const std::filesystem::path& file, const SnapshotReader& read,
+                       const ReadLimits& limits);
 
 /// The same within limits_for the file's size.
-Snapshot read_isolated(const std::filesystem::path& file,
-                       const SnapshotReader& read);
+Snapshot read_isolated(const std::filesystem::path& file, const SnapshotReader& read);
 
 } // namespace meniscus

@@ -12,6 +12,8 @@ namespace {
 
 constexpr double flatness = 1e-6; // of the extent; no layer of particles is as thin
 
+constexpr std::size_t min_particles = 4; // three always have a plane, and it may be one of these
+
 /// Which axes become x, y and z.
 struct Plane {
     const char* name;
@@ -56,14 +58,55 @@ Bounds bounds_of(const Snapshot& snapshot) {
     return bounds;
 }
 
+/// How far positions lie from a line through `first` at most, times the length of `along`.
+double area_from_line(const Positions& positions, const std::array<double, 3>& first,
+                      const std::array<double, 3>& along) {
+    double max = 0;
+    for (const auto& position : positions) {
+        std::array<double, 3> to{};
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            to[axis] = position[axis] - first[axis];
+        for (std::size_t axis = 0; axis < 3 && is_finite(position); ++axis) {
+            const std::size_t a = (axis + 1) % 3;
+            const std::size_t b = (axis + 2) % 3;
+            max = std::max(max, std::abs(to[a] * along[b] - to[b] * along[a]));
+        }
+    }
+    return max;
+}
+
+/// Whether all lies in a line, whatever its direction.
+bool is_line(const Snapshot& snapshot, const Bounds& bounds) {
+    const auto& positions = snapshot.positions;
+    const auto first = std::find_if(positions.begin(), positions.end(), is_finite);
+    if (first == positions.end())
+        return true;
+    std::array<double, 3> along{};
+    double longest = 0;
+    for (const auto& position : positions) {
+        const double length = std::hypot(position[0] - (*first)[0], position[1] - (*first)[1],
+                                         position[2] - (*first)[2]);
+        if (!std::isfinite(length) || length <= longest)
+            continue;
+        longest = length;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            along[axis] = position[axis] - (*first)[axis];
+    }
+    const double thickness = bounds.thickness() * longest;
+    return area_from_line(positions, *first, along) <= thickness &&
+           area_from_line(snapshot.boundary, *first, along) <= thickness;
+}
+
 /// The plane that all lies in; nothing where there is none, or too little to tell.
-const Plane* plane_of(const Bounds& bounds) {
-    const auto is_flat = [&](std::size_t axis) { return bounds.extent(axis) <= bounds.thickness(); };
+const Plane* plane_of(const Snapshot& snapshot, const Bounds& bounds) {
+    const auto is_flat = [&](std::size_t axis) {
+        return bounds.extent(axis) <= bounds.thickness();
+    };
     if (bounds.count < 2)
         return nullptr;
     if (is_flat(2))
         return planes;
-    if (bounds.count < 3 || is_flat(0) == is_flat(1))
+    if (bounds.count < min_particles || is_flat(0) == is_flat(1) || is_line(snapshot, bounds))
         return nullptr;
     return is_flat(1) ? planes + 1 : planes + 2;
 }
@@ -124,24 +167,24 @@ void apply(Snapshot& snapshot, const Plane& plane, const Bounds& bounds) {
 
 void settle_plane(Snapshot& snapshot) {
     const Bounds bounds = bounds_of(snapshot);
-    if (const Plane* plane = plane_of(bounds))
+    if (const Plane* plane = plane_of(snapshot, bounds))
         apply(snapshot, *plane, bounds);
 }
 
 void demand_plane(Snapshot& snapshot) {
     const Bounds bounds = bounds_of(snapshot);
-    if (bounds.count >= 2 && plane_of(bounds) == nullptr) {
+    if (bounds.count >= 2 && plane_of(snapshot, bounds) == nullptr) {
         const double level = level_of(snapshot.positions, 2);
         const auto& positions = snapshot.positions;
         const auto other = std::find_if(positions.begin(), positions.end(), [&](const auto& at) {
             return is_finite(at) && std::abs(at[2] - level) > bounds.thickness();
         });
-        const std::string who =
-            other == positions.end()
-                ? "boundary particles do not lie in the plane of the fluid"
-                : "particle " + std::to_string(other - positions.begin()) + " has z = " +
-                      number_text((*other)[2]) + " and others before it " + number_text(level) +
-                      ", and no other plane holds all";
+        const std::string who = other == positions.end()
+                                    ? "boundary particles do not lie in the plane of the fluid"
+                                    : "particle " + std::to_string(other - positions.begin()) +
+                                          " has z = " + number_text((*other)[2]) +
+                                          " and others before it " + number_text(level) +
+                                          ", and no other plane holds all";
         throw InputError("--dimension 2, but " + who + "; leave the option out");
     }
     settle_plane(snapshot);
@@ -154,11 +197,10 @@ void turn_into_plane(const Snapshot& state, Positions& positions) {
     if (state.dimension != 2)
         return;
     Bounds bounds = bounds_of(state);
-    const auto* plane = turned ? std::find_if(std::begin(planes), std::end(planes),
-                                              [&](const Plane& known) {
-                                                  return known.name == name->second;
-                                              })
-                               : planes;
+    const auto* plane =
+        turned ? std::find_if(std::begin(planes), std::end(planes),
+                              [&](const Plane& known) { return known.name == name->second; })
+               : planes;
     if (plane != std::end(planes))
         turn(positions, *plane, level_of(state.positions, 2), bounds.thickness());
 }

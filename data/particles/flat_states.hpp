@@ -11,7 +11,7 @@ namespace meniscus {
 /// Makes the state two-dimensional where all of it, boundary included, is flat in one plane of the
 /// axes: positions and vectors of three components become those of x and y, the third coordinate is
 /// the same for all, and provenance `plane` names the plane where it is not xy. Flat is what is
-/// thinner than 1e-6 of its extent. What lies in a line along an axis has no other plane than xy.
+/// thinner than 1e-6 of its extent. What lies in a line has no other plane than xy.
 void settle_plane(Snapshot& snapshot);
 
 /// The same where the user says that the state is two-dimensional. Throws InputError, naming a

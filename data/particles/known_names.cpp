@@ -94,8 +94,14 @@ void widen(PointArray& array) {
     array.components = 3;
 }
 
+/// A single letter may mean something else: a mass is positive.
 bool can_be(const PointArray& array, const Quantity& quantity) {
     const auto components = static_cast<std::size_t>(array.components);
+    if (quantity.ours == "mass" && array.name.size() == 1) {
+        const std::vector<double> values = as_doubles(array);
+        if (!std::all_of(values.begin(), values.end(), [](double mass) { return mass > 0; }))
+            return false;
+    }
     return components == quantity.components || (quantity.components == 3 && components == 2);
 }
 

@@ -18,13 +18,13 @@ namespace meniscus {
 inline constexpr std::array<double, 2> plausible_spacing_ratios = {1.6, 5};
 
 /// The support radius over the distance to the nearest particle, which nine of ten valid particles
-/// exceed; infinite where particles lie in one place. Some thousand particles are looked at. Nothing
-/// where there are fewer than two.
+/// exceed; infinite where particles lie in one place. Some thousand particles are looked at.
+/// Nothing where there are fewer than two.
 std::optional<double> nearest_spacing_ratio(const Snapshot& snapshot, const SupportRadii& radii,
                                             const std::vector<std::uint8_t>& valid);
 
-/// A sentence for whoever gave the support radius where the ratio is implausible; else empty, as for
-/// states of few particles.
+/// A sentence for whoever gave the support radius where the ratio is implausible; else empty, as
+/// for states of few particles.
 std::string doubtful_support_radius(const Snapshot& snapshot, const SupportRadii& radii,
                                     const std::vector<std::uint8_t>& valid);
 

@@ -483,7 +483,7 @@ namespace {
 
 /// As visit_neighbors, for lists: of what lies in a crowd in one place, only so many.
 template <class Found>
-void visit_listed(const Levels& levels, std::size_t place, Found&& found) {
+void visit_listed(const Levels& levels, std::size_t place, std::size_t max_crowd, Found&& found) {
     const std::size_t level = level_of(levels, place);
     const Grid& own = levels.grids[level];
     const std::size_t s = place - levels.first_place[level];
@@ -513,7 +513,8 @@ NeighborLists find_neighbors(const Positions& positions, const SupportRadii& rad
 #pragma omp parallel for num_threads(thread_count(threads)) schedule(dynamic, 1024)
     for (std::int64_t s = 0; s < count; ++s) {
         std::size_t found = 0;
-        visit_listed(levels, static_cast<std::size_t>(s), [&](std::uint32_t) { ++found; });
+        visit_listed(levels, static_cast<std::size_t>(s), filter.max_crowd,
+                     [&](std::uint32_t) { ++found; });
         lists.offsets[particle_at(levels, s) + 1] = found;
     }
     for (std::size_t i = 0; i < positions.size(); ++i)
@@ -522,9 +523,8 @@ NeighborLists find_neighbors(const Positions& positions, const SupportRadii& rad
 #pragma omp parallel for num_threads(thread_count(threads)) schedule(dynamic, 1024)
     for (std::int64_t s = 0; s < count; ++s) {
         std::size_t place = lists.offsets[particle_at(levels, s)];
-        visit_listed(levels, static_cast<std::size_t>(s), [&](std::uint32_t neighbor) {
-            lists.neighbors[place++] = neighbor;
-        });
+        visit_listed(levels, static_cast<std::size_t>(s), filter.max_crowd,
+                     [&](std::uint32_t neighbor) { lists.neighbors[place++] = neighbor; });
     }
     return lists;
 }

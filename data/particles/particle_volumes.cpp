@@ -39,7 +39,7 @@ std::vector<double> kernel_sums(const NeighborGrid& grid, const SupportRadii& ra
                 sum += std::pow(2 * other / (own + other), dimension) *
                        cubic_spline(2 * distance / (own + other));
             }
-            sums[place] = without_crowds && crowd > max_crowd
+            sums[place] = without_crowds && crowd > usual_max_crowd
                               ? std::numeric_limits<double>::quiet_NaN()
                               : kernel_scale(dimension) * sum;
         }
@@ -68,9 +68,8 @@ double measured_spacing_ratio(const Snapshot& snapshot, const SupportRadii& radi
         return radii.max / std::pow(*snapshot.particle_volume, root);
     const NeighborGrid grid(snapshot.positions, radii, {&valid, nullptr}, threads);
     auto sums = kernel_sums(grid, radii, snapshot.dimension, threads, true);
-    sums.erase(
-        std::remove_if(sums.begin(), sums.end(), [](double sum) { return std::isnan(sum); }),
-        sums.end());
+    sums.erase(std::remove_if(sums.begin(), sums.end(), [](double sum) { return std::isnan(sum); }),
+               sums.end());
     if (sums.empty())
         sums = kernel_sums(grid, radii, snapshot.dimension, threads, false);
     if (sums.empty())

@@ -18,8 +18,8 @@ struct PeriodicSides {
 
 using PeriodicBox = std::array<std::optional<PeriodicSides>, 3>;
 
-/// The box of "x=0:1,z=0:2", or of the lengths "1,2,3" of x, y and z from 0. Throws InputError where
-/// the text is neither, or a side is empty.
+/// The box of "x=0:1,z=0:2", or of the lengths "1,2,3" of x, y and z from 0. Throws InputError
+/// where the text is neither, or a side is empty.
 PeriodicBox periodic_box(const std::string& text);
 
 /// Adds the copies within the largest support radius (m) of the sides, to the boundary, in place of

@@ -42,7 +42,7 @@ struct Snapshot {
     Precision position_precision = Precision::float64; ///< type that positions are written in
     std::vector<PointArray> point_data;                ///< names are unique
     Positions boundary; ///< wall particles and periodic copies, which cover; may be empty
-    bool dimension_is_stated = false; ///< by the file, else it is what the positions suggest
+    bool dimension_is_stated = false;       ///< by the file, else it is what the positions suggest
     std::optional<double> support_radius;   ///< kernel radius h in m
     std::optional<double> particle_spacing; ///< initial distance of particles in m
     std::optional<double> particle_volume;  ///< of a particle at rest, m^3 (in 2D m^2)

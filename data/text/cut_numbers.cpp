@@ -48,12 +48,13 @@ bool may_be_cut(std::string_view last, const std::vector<std::string_view>& befo
     if (!shape.has_point && !shape.has_exponent)
         return !follows(last, before.back());
     Shape longest;
+    longest.decimals = shape_of(before.back()).decimals;
     bool same_decimals = true;
     for (const std::string_view number : before) {
         const Shape other = shape_of(number);
         longest.digits = std::max(longest.digits, other.digits);
         longest.has_exponent = longest.has_exponent || other.has_exponent;
-        same_decimals = same_decimals && other.decimals == shape.decimals;
+        same_decimals = same_decimals && other.decimals == longest.decimals;
     }
     const auto length = [](std::string_view number) {
         const std::size_t e = number.find_first_of("eE");
@@ -61,7 +62,9 @@ bool may_be_cut(std::string_view last, const std::vector<std::string_view>& befo
     };
     if (longest.has_exponent) // of two digits at least, as all programs write it
         return !(shape.has_exponent && length(last) >= 4 && length(last) >= length(before.back()));
-    return !(same_decimals || shape.digits >= std::max<std::size_t>(longest.digits, 2));
+    constexpr std::size_t usual_digits = 6; // of programs that drop zeros behind
+    return same_decimals ? shape.decimals != longest.decimals
+                         : shape.digits < std::max(longest.digits, usual_digits);
 }
 
 } // namespace meniscus

@@ -103,10 +103,10 @@ constexpr double dualsphysics_fluid = 3;
 
 /// Whether `Type` is DualSPHysics', which stores numbers or densities of particles beside it.
 bool is_of_dualsphysics(const Snapshot& snapshot, const std::set<double>& types) {
+    const auto has = [&](const char* name) { return find_array(snapshot, name) != nullptr; };
     const bool has_its_data =
-        find_array(snapshot, "Mk") != nullptr ||
-        (types.count(dualsphysics_fluid) > 0 && (find_array(snapshot, "id") != nullptr ||
-                                                 find_array(snapshot, "density") != nullptr));
+        has("Mk") || has("Idp") || has("Rhop") ||
+        (types.count(dualsphysics_fluid) > 0 && (has("id") || has("density")));
     return has_its_data && std::all_of(types.begin(), types.end(), [](double type) {
                return type == 0 || type == 1 || type == 2 || type == dualsphysics_fluid;
            });
@@ -158,10 +158,9 @@ void split(Snapshot& snapshot, const std::vector<Role>& roles, const std::string
     snapshot.positions.resize(fluid.size());
     for (PointArray& array : snapshot.point_data)
         keep_rows(array, fluid);
-    snapshot.notes.push_back(
-        by + ": " + std::to_string(fluid.size()) + " particles are fluid, " +
-        std::to_string(walls) + " walls" +
-        (ignored > 0 ? ", " + std::to_string(ignored) + " ignored" : ""));
+    snapshot.notes.push_back(by + ": " + std::to_string(fluid.size()) + " particles are fluid, " +
+                             std::to_string(walls) + " walls" +
+                             (ignored > 0 ? ", " + std::to_string(ignored) + " ignored" : ""));
     if (walls > 0)
         snapshot.provenance["boundary_arrays"] = by;
 }

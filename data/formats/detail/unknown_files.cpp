@@ -28,7 +28,9 @@ constexpr Signature signatures[] = {
     {"PK\x03\x04"sv, "a ZIP archive, perhaps NumPy's .npz; save the positions alone by numpy.save"},
     {"\x1f\x8b"sv, "a file compressed by gzip that is no .bgeo; unpack it first"},
     {"BZh"sv, "a file compressed by bzip2; unpack it first"},
-    {"\xfd" "7zXZ"sv, "a file compressed by xz; unpack it first"},
+    {"\xfd"
+     "7zXZ"sv,
+     "a file compressed by xz; unpack it first"},
     {"\x28\xb5\x2f\xfd"sv, "a file compressed by zstd; unpack it first"},
     {"CDF"sv, "NetCDF; export particles as .csv, .vtk or HDF5"},
     {"solid"sv, "an STL mesh; export particles, not a surface"},

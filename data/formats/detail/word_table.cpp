@@ -83,9 +83,8 @@ void expect_end(const Lines& lines) {
 }
 
 const WordColumn* find_column(const std::vector<WordColumn>& columns, std::string_view name) {
-    const auto found =
-        std::find_if(columns.begin(), columns.end(),
-                     [&](const WordColumn& column) { return column.name == name; });
+    const auto found = std::find_if(columns.begin(), columns.end(),
+                                    [&](const WordColumn& column) { return column.name == name; });
     return found == columns.end() ? nullptr : &*found;
 }
 

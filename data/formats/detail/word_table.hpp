@@ -34,8 +34,8 @@ std::string_view take_line(Lines& lines);
 /// A count that is alone on the next line.
 std::uint64_t take_count(Lines& lines, const std::string& of);
 
-/// Takes `rows` lines into the columns. Fails where a line has another number of words, or a word is
-/// no number in a column of numbers.
+/// Takes `rows` lines into the columns. Fails where a line has another number of words, or a word
+/// is no number in a column of numbers.
 void take_rows(Lines& lines, std::uint64_t rows, std::vector<WordColumn>& columns);
 
 /// Fails where anything follows: one state a file.
