@@ -32,6 +32,7 @@ void classify_file(const Path& input, const Path& output, const Model& model,
                    const SurfaceTensionOptions& options, const ClassifyCommand& command) {
     Snapshot snapshot = read_input(input, command.input);
     set_boundary(snapshot, boundary);
+    set_periodic(snapshot, command.input);
     earlier_output(output, "predicted_surface");
     const Classes classes =
         classify_snapshot(snapshot, model, {command.skip_invalid, command.threads});
@@ -48,9 +49,14 @@ void classify_file(const Path& input, const Path& output, const Model& model,
     }
     for (const std::string& warning : classes.warnings)
         print_error_line("warning: " + input.string() + ": " + warning);
+    warn_of_support_radius(input, snapshot, classes.valid, classes.surface);
     if (!command.quiet)
-        fmt::print("{}: {} particles in {}D, {}\n{}{}", output.string(), snapshot.size(),
-                   snapshot.dimension, report.found, support_radius_note(snapshot), report.note);
+        fmt::print("{}: {} particles in {}D, {}{}\n{}{}", output.string(), snapshot.size(),
+                   snapshot.dimension,
+                   snapshot.boundary.empty()
+                       ? ""
+                       : fmt::format("{} boundary particles, ", snapshot.boundary.size()),
+                   report.found, reading_notes(snapshot), report.note);
 }
 
 void run_classify(const ClassifyCommand& command) {

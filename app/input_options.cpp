@@ -1,10 +1,14 @@
 #include "label.hpp"
 
 #include <meniscus/data/formats/snapshot_files.hpp>
+#include <meniscus/data/particles/flat_states.hpp>
+#include <meniscus/data/particles/nearest_spacing.hpp>
 #include <meniscus/data/particles/particle_arrays.hpp>
+#include <meniscus/data/particles/periodic_copies.hpp>
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/files.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -16,34 +20,56 @@ void check_positive(const char* option, const std::optional<double>& value) {
         throw InputError(fmt::format("{} must be positive and finite, found {}", option, *value));
 }
 
-/// Two-dimensional states lie in a plane of constant z.
-void check_is_flat(const Positions& positions) {
-    std::optional<double> z;
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-        if (!std::isfinite(positions[i][2]))
-            continue;
-        if (positions[i][2] != z.value_or(positions[i][2]))
-            throw InputError(fmt::format("--dimension 2, but particle {} has z = {} and others "
-                                         "before it {}; leave the option out",
-                                         i, positions[i][2], *z));
-        z = positions[i][2];
+ReadChoices choices_of(const InputOptions& options) {
+    return {options.dimension, options.fluid, options.walls, options.ignored, false};
+}
+
+/// What was chosen, so that a rerun with other choices is another run.
+void set_provenance(Snapshot& snapshot, const InputOptions& options) {
+    const std::pair<const char*, const std::vector<std::string>*> all[] = {
+        {"fluid", &options.fluid}, {"walls", &options.walls}, {"ignore", &options.ignored}};
+    for (const auto& [name, chosen] : all) {
+        std::string text;
+        for (const std::string& choice : *chosen)
+            text += (text.empty() ? "" : ", ") + choice;
+        if (!text.empty())
+            snapshot.provenance[std::string("chosen_") + name] = text;
     }
 }
 
 } // namespace
 
 void add_input_options(CLI::App& verb, InputOptions& options) {
-    verb.add_option("--support-radius", options.support_radius,
-                    "Kernel radius h in m of all particles, where the files do not store it "
-                    "(SPlisHSPlasH: 4 particle radii) or in place of what they store, be it one "
-                    "for each particle");
+    auto* radius = verb.add_option(
+        "--support-radius", options.support_radius,
+        "Kernel radius h in m of all particles, where the files do not store it, or in place of "
+        "what they store, be it one for each particle");
+    verb.add_option("--particle-radius", options.particle_radius,
+                    "Particle radius in m, of which the support radius is four (SPlisHSPlasH), in "
+                    "place of --support-radius")
+        ->excludes(radius);
+    const auto add_choice = [&](const char* name, std::vector<std::string>& choices,
+                                const char* meaning) {
+        verb.add_option(name, choices, meaning)->delimiter(',')->allow_extra_args(false);
+    };
+    add_choice(
+        "--fluid", options.fluid,
+        "Particles that are fluid: arrays by their names (PySPH), or point data and a value, "
+        "as in Type=3 (default: told by names, or by DualSPHysics' Type)");
+    add_choice("--walls", options.walls, "Particles that are walls, which cover, chosen likewise");
+    add_choice("--ignore", options.ignored, "Particles that are left out, chosen likewise");
+    verb.add_option("--periodic", options.periodic,
+                    "Sides of a periodic box in m, as in x=0:1,y=0:2, or its lengths from 0, as in "
+                    "1,2,3; particles beyond them cover as boundary particles do (default: as the "
+                    "file says)");
     verb.add_option("--particle-spacing", options.particle_spacing,
                     "Initial distance of particles in m, where the files do not store it");
     verb.add_option("--particle-volume", options.particle_volume,
                     "Volume of a particle at rest, m / rho_0, in m^3 (in 2D m^2), where the files "
                     "do not store it (default: measured)");
     verb.add_option("--dimension", options.dimension,
-                    "2 or 3, where the files do not store it (default: 2 if all z are equal)")
+                    "2 or 3, where the files do not store it (default: 2 if all lie in the plane "
+                    "xy, xz or yz)")
         ->check(CLI::IsMember({2, 3}));
     verb.add_option("--scene", options.scene,
                     "Scene that the states belong to (default: the stored one, else the file's "
@@ -54,18 +80,17 @@ Snapshot read_input(const Path& file, const InputOptions& options) {
     check_positive("--support-radius", options.support_radius);
     check_positive("--particle-spacing", options.particle_spacing);
     check_positive("--particle-volume", options.particle_volume);
-    Snapshot snapshot = read_snapshot(file);
+    check_positive("--particle-radius", options.particle_radius);
+    Snapshot snapshot = read_snapshot(file, choices_of(options));
+    set_provenance(snapshot, options);
     if (options.particle_spacing)
         snapshot.particle_spacing = options.particle_spacing;
     if (options.particle_volume)
         snapshot.particle_volume = options.particle_volume;
-    if (options.dimension)
-        snapshot.dimension = *options.dimension;
-    if (options.dimension == 2)
-        check_is_flat(snapshot.positions);
     snapshot.scene = options.scene.empty() ? scene_of(snapshot, file) : options.scene;
-    if (options.support_radius) {
-        snapshot.support_radius = options.support_radius;
+    if (options.support_radius || options.particle_radius) {
+        snapshot.support_radius =
+            options.support_radius ? *options.support_radius : 4 * *options.particle_radius;
         snapshot.provenance.erase("support_radius_from");
     }
     const SupportRadii radii = support_radii(snapshot);
@@ -78,19 +103,25 @@ Snapshot read_input(const Path& file, const InputOptions& options) {
 Boundary read_boundary(const Path& file) {
     if (file.empty())
         return {};
-    Snapshot snapshot = read_snapshot(file);
+    ReadChoices choices;
+    choices.is_boundary = true;
+    Snapshot snapshot = read_snapshot(file, choices);
     Positions& positions = snapshot.boundary.empty() ? snapshot.positions : snapshot.boundary;
     if (positions.empty())
         throw InputError(
             fmt::format("{}: --boundary expects particles, found none", file.string()));
-    return {std::move(positions), file_hash(file)};
+    const bool is_turned = snapshot.dimension_is_stated && snapshot.dimension == 2;
+    return {std::move(positions), is_turned, file_hash(file)};
 }
 
 void set_boundary(Snapshot& snapshot, const Boundary& boundary) {
     snapshot.provenance.erase("boundary_hash");
     if (boundary.positions.empty())
         return;
+    remove_periodic_copies(snapshot);
     snapshot.boundary = boundary.positions;
+    if (!boundary.is_turned)
+        turn_into_plane(snapshot, snapshot.boundary);
     snapshot.provenance["boundary_hash"] = boundary.hash;
 }
 
@@ -100,11 +131,40 @@ std::string support_radius_text(const Snapshot& snapshot) {
                         : fmt::format("support radius of {} m", radii.max);
 }
 
-std::string support_radius_note(const Snapshot& snapshot) {
+void set_periodic(Snapshot& snapshot, const InputOptions& options) {
+    if (!options.periodic.empty())
+        snapshot.provenance["periodic"] = options.periodic;
+    const auto sides = snapshot.provenance.find("periodic");
+    if (sides != snapshot.provenance.end())
+        add_periodic_copies(snapshot, periodic_box(sides->second), support_radii(snapshot).max);
+}
+
+std::string reading_notes(const Snapshot& snapshot) {
+    std::string lines;
     const auto from = snapshot.provenance.find("support_radius_from");
-    if (from == snapshot.provenance.end())
-        return {};
-    return fmt::format("    {}: {}\n", support_radius_text(snapshot), from->second);
+    if (from != snapshot.provenance.end())
+        lines += fmt::format("    {}: {}\n", support_radius_text(snapshot), from->second);
+    for (const std::string& note : snapshot.notes)
+        lines += fmt::format("    {}\n", note);
+    return lines;
+}
+
+bool warn_of_support_radius(const Path& file, const Snapshot& snapshot,
+                            const std::vector<std::uint8_t>& valid,
+                            const std::vector<std::uint8_t>& surface) {
+    constexpr std::ptrdiff_t min_for_doubt = 100;
+    const std::string doubt = doubtful_support_radius(snapshot, support_radii(snapshot), valid);
+    if (!doubt.empty()) {
+        print_error_line(fmt::format("warning: {}: {}", file.string(), doubt));
+        return true;
+    }
+    const auto all = std::count(valid.begin(), valid.end(), 1);
+    const bool no_interior =
+        all >= min_for_doubt && std::count(surface.begin(), surface.end(), 1) == all;
+    if (no_interior)
+        print_error_line(fmt::format("warning: {}: all {} particles are surface; is the {} right?",
+                                     file.string(), all, support_radius_text(snapshot)));
+    return no_interior;
 }
 
 } // namespace meniscus

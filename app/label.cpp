@@ -4,6 +4,7 @@
 #include <meniscus/data/formats/vtkhdf.hpp>
 #include <meniscus/data/particles/feature_names.hpp>
 #include <meniscus/data/particles/particle_arrays.hpp>
+#include <meniscus/data/particles/periodic_copies.hpp>
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/files.hpp>
 #include <meniscus/data/text/text.hpp>
@@ -33,7 +34,8 @@ void report(const Path& output, const Snapshot& snapshot, const Labels& labels,
         print_error_line("warning: " + output.string() + ": " + warning);
     const double mean = mean_neighbor_count(labels);
     const auto [lowest, highest] = plausible_neighbor_counts(snapshot.dimension);
-    if (snapshot.size() > 0 && (mean < lowest || mean > highest))
+    const bool warned = warn_of_support_radius(output, snapshot, labels.valid, labels.surface);
+    if (!warned && snapshot.size() > 0 && (mean < lowest || mean > highest))
         print_error_line(
             fmt::format("warning: {}: a mean neighbor count of {:.1f} is implausible in {}D "
                         "(expected {} to {}); is the {} right?",
@@ -54,15 +56,18 @@ void report(const Path& output, const Snapshot& snapshot, const Labels& labels,
                valid == snapshot.size() ? ""
                                         : fmt::format(", {} left out as not finite or too far out",
                                                       snapshot.size() - valid),
-               support_radius_note(snapshot));
+               reading_notes(snapshot));
 }
 
 void label_file(const Path& input, const Path& output, const Boundary& boundary,
                 const LabelCommand& command) {
     Snapshot snapshot = read_input(input, command.input);
-    if (command.no_boundary)
+    if (command.no_boundary) {
+        remove_periodic_copies(snapshot);
         snapshot.boundary.clear();
+    }
     set_boundary(snapshot, boundary);
+    set_periodic(snapshot, command.input);
     const SupportRadii radii = support_radii(snapshot);
     set_label_provenance(snapshot, radii, command.label);
     snapshot.provenance["input_hash"] = file_hash(input);
@@ -158,9 +163,11 @@ std::function<void()> add_method_options(CLI::App& verb, LabelOptions& options) 
 void add_label(CLI::App& command) {
     auto options = std::make_shared<LabelCommand>();
     auto* verb = command.add_subcommand("label", "Decide which particles of snapshots are surface");
-    verb->add_option("INPUT", options->files.inputs,
-                     "Snapshots, told by their content: the project's own .vtkhdf, legacy .vtk "
-                     "(SPlisHSPlasH, VTK), Partio's .bgeo, PySPH's .hdf5, CSV with named columns")
+    verb->add_option(
+            "INPUT", options->files.inputs,
+            "Snapshots, told by their content: the project's own .vtkhdf, VTK's .vtk, .vtu "
+            "and .vtp, Partio's .bgeo, HDF5 of PySPH, GADGET and H5Part, CSV with named "
+            "columns, .ply, NumPy's .npy, extended .xyz, LAMMPS dumps")
         ->required();
     verb->add_option("-o,--output", options->files.folder,
                      "Folder for the labelled snapshots, DIR/<stem of INPUT>.vtkhdf")

@@ -6,7 +6,10 @@
 #include <meniscus/data/particles/snapshot.hpp>
 #include <meniscus/labeler/labeler.hpp>
 
+#include <cstdint>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace meniscus {
 
@@ -15,7 +18,12 @@ struct InputOptions {
     std::optional<double> support_radius;   ///< m
     std::optional<double> particle_spacing; ///< m
     std::optional<double> particle_volume;  ///< at rest, m^3 (in 2D m^2)
-    std::optional<int> dimension;           ///< 2 or 3
+    std::optional<double> particle_radius;  ///< m, of which the support radius is four
+    std::vector<std::string> fluid;         ///< arrays, or point data and a value ("Type=3")
+    std::vector<std::string> walls;
+    std::vector<std::string> ignored;
+    std::optional<int> dimension; ///< 2 or 3
+    std::string periodic;         ///< sides of the box; empty: as the file says
     std::string scene;
 };
 
@@ -30,8 +38,9 @@ Snapshot read_input(const Path& file, const InputOptions& options);
 
 /// Boundary particles from a file of their own.
 struct Boundary {
-    Positions positions; ///< none where no file is given
-    std::string hash;    ///< SHA-256 of the file
+    Positions positions;    ///< none where no file is given
+    bool is_turned = false; ///< a flat state in x and y, as we write it
+    std::string hash;       ///< SHA-256 of the file
 };
 
 /// Reads the boundary of all inputs; none where `file` is empty. Where the file holds a fluid and a
@@ -45,8 +54,18 @@ void set_boundary(Snapshot& snapshot, const Boundary& boundary);
 /// The snapshot's support radius, or the range of its radii, in words.
 std::string support_radius_text(const Snapshot& snapshot);
 
-/// A line to print where the reader had to choose the support radius; empty elsewhere.
-std::string support_radius_note(const Snapshot& snapshot);
+/// Adds the copies of a periodic box, of the options or else of the file. To be called once the
+/// boundary is set. Throws InputError as add_periodic_copies does.
+void set_periodic(Snapshot& snapshot, const InputOptions& options);
+
+/// Lines to print on what the reader had to choose, leave out, or take for something else.
+std::string reading_notes(const Snapshot& snapshot);
+
+/// Warns on standard error of a support radius that fits the particles ill, or else where all of
+/// them are surface. Returns whether it did.
+bool warn_of_support_radius(const Path& file, const Snapshot& snapshot,
+                            const std::vector<std::uint8_t>& valid,
+                            const std::vector<std::uint8_t>& surface);
 
 /// What an earlier run left at `output`, told by its point data `array`; nothing where there is no
 /// file. Throws InputError where something else is there: that is not ours to overwrite.

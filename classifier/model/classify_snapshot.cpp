@@ -168,8 +168,9 @@ Neighborhoods find_neighborhoods(const Snapshot& snapshot, const SupportRadii& r
     result.masses = checked_masses(snapshot, valid);
     result.radii = radii;
     result.valid = valid;
-    result.lists = find_neighbors(snapshot.positions, radii,
-                                  {&valid, phases.empty() ? nullptr : &phases}, threads);
+    result.lists =
+        find_neighbors(snapshot.positions, radii,
+                       {&valid, phases.empty() ? nullptr : &phases, usual_max_crowd}, threads);
     result.spacing_ratio = measured_spacing_ratio(snapshot, radii, valid, threads);
     if (boundary_weight > 0 && !snapshot.boundary.empty()) {
         result.boundary_lists = find_boundary_neighbors(snapshot, radii, valid, threads);

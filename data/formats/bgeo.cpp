@@ -1,7 +1,6 @@
 // Houdini's classic binary geometry (`.bgeo`, version 5) as the Partio library writes it for
 // particles, which is how SPlisHSPlasH's Partio exporter stores a state: points with attributes and
-// nothing else, gzip-compressed or not. Attributes keep their names; `id`, `velocity` and `density`
-// coincide with ours, and Houdini's own name for a velocity, `v`, becomes ours.
+// nothing else but perhaps one particle primitive around them, gzip-compressed or not.
 #include "snapshot_formats.hpp"
 
 #include <meniscus/data/hdf5/deflate.hpp>
@@ -36,6 +35,9 @@ constexpr std::uint32_t float_type = 0;
 constexpr std::uint32_t integer_type = 1;
 constexpr std::uint32_t index_type = 4;
 constexpr std::uint32_t vector_type = 5;
+
+constexpr std::uint32_t particle_primitive = 0x8000;
+constexpr std::uint64_t max_short_index = 1 << 16; // points up to which an index has two bytes
 
 /// The file's bytes one after another, decompressed as they are asked for.
 class Stream {
@@ -190,10 +192,10 @@ Header take_header(Source& source) {
     if (header.version != 5)
         fail(source, "header", "version 5", std::to_string(header.version));
     for (const std::uint32_t count :
-         {header.primitives, header.point_groups, header.primitive_groups, header.vertex_attributes,
-          header.primitive_attributes}) {
+         {header.point_groups, header.primitive_groups, header.vertex_attributes,
+          header.primitive_attributes, header.primitives > 1 ? header.primitives : 0}) {
         if (count != 0) {
-            fail(source, "header", "points alone, as Partio writes particles",
+            fail(source, "header", "points alone or one particle primitive, as Partio writes them",
                  std::to_string(count) + " primitives, groups or their attributes");
         }
     }
@@ -300,6 +302,18 @@ void take_points(Source& source, const std::vector<Attribute>& attributes, Snaps
     }
 }
 
+/// A particle primitive is a list of points, which says nothing that they do not. Another is a
+/// curve or a surface.
+void skip_primitive(Source& source) {
+    const auto type = take_number<std::uint32_t>(source, "primitive");
+    if (type != particle_primitive) {
+        fail(source, "primitive", "particles, type " + std::to_string(particle_primitive),
+             "type " + std::to_string(type) + "; a curve or surface is no snapshot");
+    }
+    const std::uint64_t points = take_number<std::uint32_t>(source, "primitive");
+    skip(source, "primitive", points * (source.particles > max_short_index ? 4 : 2));
+}
+
 /// Attributes of the whole, which say nothing of particles, and the end.
 void skip_details(Source& source, std::uint32_t count) {
     const std::vector<Attribute> details = take_attributes(source, "detail", count);
@@ -308,13 +322,6 @@ void skip_details(Source& source, std::uint32_t count) {
     take(source, "end", end, sizeof end);
     if (std::string_view(end, sizeof end) != end_mark || !source.stream.ends_here())
         fail(source, "end", "the end of the file", "more bytes or damaged compression");
-}
-
-void rename_velocity(Snapshot& snapshot) {
-    for (PointArray& array : snapshot.point_data)
-        if (array.name == "v" && array.components == 3 &&
-            find_array(snapshot, "velocity") == nullptr)
-            array.name = "velocity";
 }
 
 /// True where the file begins as classic geometry does, after decompression where it is compressed.
@@ -331,7 +338,7 @@ bool is_bgeo(const fs::path& file) {
 /// Throws InputError, naming the section, on anything that is not well formed, and on points that
 /// belong to curves or surfaces. Memory is bounded by what the file's bytes can hold, whatever its
 /// header claims.
-Snapshot read_bgeo(const fs::path& file) {
+Snapshot read_bgeo(const fs::path& file, const ReadChoices& /*choices*/) {
     const std::string stored = read_whole(file);
     Source source{file, Stream(stored)};
     const Header header = take_header(source);
@@ -339,8 +346,9 @@ Snapshot read_bgeo(const fs::path& file) {
     Snapshot snapshot;
     snapshot.position_precision = Precision::float32;
     take_points(source, take_attributes(source, "point", header.point_attributes), snapshot);
+    if (header.primitives > 0)
+        skip_primitive(source);
     skip_details(source, header.detail_attributes);
-    rename_velocity(snapshot);
     snapshot.dimension = dimension_of(snapshot.positions);
     return snapshot;
 }

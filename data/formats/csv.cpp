@@ -8,6 +8,7 @@
 #include "snapshot_formats.hpp"
 
 #include <meniscus/data/formats/detail/csv_cells.hpp>
+#include <meniscus/data/particles/known_names.hpp>
 #include <meniscus/data/text/files.hpp>
 #include <meniscus/data/text/text.hpp>
 
@@ -81,7 +82,7 @@ std::ptrdiff_t axis_count(const Axes& axes) {
 
 // Names of vectors in lower case, the likeliest first.
 constexpr std::string_view position_names[] = {"points", "position",    "positions", "pos",
-                                               "coords", "coordinates", ""};
+                                               "coords", "coordinates", "",          "p"};
 constexpr std::string_view velocity_names[] = {"velocity", "vel", "v"};
 
 /// Two axes of a position at least; fewer are none.
@@ -130,26 +131,12 @@ std::optional<Header> find_header(Source& source) {
     return std::nullopt;
 }
 
-/// A quantity that is known under several names.
-struct Quantity {
-    std::string_view name; ///< ours
-    std::string_view unit; ///< of the SI; empty for numbers of things
-    std::array<std::string_view, 4> names;
-};
-
-constexpr Quantity quantities[] = {
-    {"id", "", {"id", "ids", "idp", "particle_id"}},   {"phase", "", {"phase"}},
-    {"density", "kg/m^3", {"density", "rho", "rhop"}}, {"mass", "kg", {"mass", "m"}},
-    {"support_radius", "m", {"support_radius"}},
-};
-
-const Quantity* find_quantity(const std::string& name) {
-    for (const Quantity& quantity : quantities) {
-        const auto& names = quantity.names;
-        if (!name.empty() && std::find(names.begin(), names.end(), name) != names.end())
-            return &quantity;
-    }
-    return nullptr;
+/// The unit of the SI; empty for numbers of things.
+std::string_view unit_of(std::string_view quantity) {
+    return quantity == "density"          ? "kg/m^3"
+           : quantity == "mass"           ? "kg"
+           : quantity == "support_radius" ? "m"
+                                          : "";
 }
 
 struct NoNumbers {};
@@ -158,14 +145,16 @@ using Numbers = std::variant<std::vector<std::int64_t>, std::vector<double>, NoN
 struct Column {
     Name name;
     std::string array; ///< the name that it gets as point data; empty where it is none of itself
-    bool is_needed = false; ///< must hold numbers
-    Numbers values;         ///< integers until one is not
+    bool is_needed = false;   ///< must hold numbers
+    bool is_left_out = false; ///< for its empty cells
+    Numbers values;           ///< integers until one is not
 };
 
 struct Table {
     std::vector<Column> columns;
     std::vector<std::size_t> position; ///< columns of the coordinates
     std::vector<std::size_t> velocity; ///< columns of its components, or none
+    bool plane_is_xz = false;          ///< there is no y
 };
 
 /// Columns of a vector in the order of the positions' coordinates, any further one behind.
@@ -212,15 +201,26 @@ void claim(const Source& source, Table& table, const std::vector<std::size_t>& c
     }
 }
 
-Column column_of(const Source& source, const Name& name) {
-    Column column{name, name.text, false, {}};
+/// Whether the column is the likeliest of those that mean the same.
+bool means_most(const std::vector<Name>& names, const Name& name, const KnownName& known) {
+    return std::none_of(names.begin(), names.end(), [&](const Name& other) {
+        const auto meant = known_name(other.plain);
+        return meant && meant->ours == known.ours &&
+               (meant->rank < known.rank || (meant->rank == known.rank && &other < &name));
+    });
+}
+
+Column column_of(const Source& source, const std::vector<Name>& names, const Name& name) {
+    Column column{name, name.text, false, false, {}};
     if (name.text.empty())
         column.values = NoNumbers();
-    if (const Quantity* quantity = find_quantity(name.plain)) {
-        check_unit(source, name, quantity->unit);
-        column.array = quantity->name;
+    const auto known = known_name(name.plain);
+    if (known && known->ours != "velocity" && means_most(names, name, *known)) {
+        const std::string_view unit = unit_of(known->ours);
+        check_unit(source, name, unit);
+        column.array = known->ours;
         column.is_needed = true;
-        if (!quantity->unit.empty())
+        if (!unit.empty())
             column.values = std::vector<double>();
     }
     return column;
@@ -250,8 +250,9 @@ Table table_of(const Source& source, const Header& header) {
         fail(source, "", "a column x of the positions", "columns " + listed(header.names));
     Table table;
     for (const Name& name : header.names)
-        table.columns.push_back(column_of(source, name));
+        table.columns.push_back(column_of(source, header.names, name));
     table.position = ordered(positions, positions);
+    table.plane_is_xz = !positions[1];
     table.velocity = find_velocity(header.names, positions);
     claim(source, table, table.position, "m");
     claim(source, table, table.velocity, "m/s");
@@ -282,7 +283,16 @@ bool append_number(Column& column, std::string_view cell) {
 }
 
 /// A column that begins with text is one of text all along, so that a slip in a number is found.
+/// One that nothing needs is left out where it has empty cells.
 void append(const Source& source, Column& column, std::string_view cell) {
+    if (column.is_left_out)
+        return;
+    if (cell.empty() && !column.is_needed && !column.name.text.empty() &&
+        !std::holds_alternative<NoNumbers>(column.values)) {
+        column.is_left_out = true;
+        column.values = NoNumbers();
+        return;
+    }
     if (std::holds_alternative<NoNumbers>(column.values)) {
         double number = 0;
         if (!column.name.text.empty() && read_number(cell, number) == std::errc())
@@ -355,10 +365,23 @@ void set_positions(Snapshot& snapshot, const Table& table) {
         std::copy_n(coordinates.begin() + static_cast<std::ptrdiff_t>(3 * i), 3,
                     snapshot.positions[i].begin());
     }
-    snapshot.dimension = table.position.size() == 2 ? 2 : dimension_of(snapshot.positions);
+    snapshot.dimension_is_stated = table.position.size() == 2;
+    snapshot.dimension = snapshot.dimension_is_stated ? 2 : dimension_of(snapshot.positions);
 }
 
-Snapshot snapshot_of(Table table) {
+/// What the person who reads the file should know of its columns.
+void add_notes(Snapshot& snapshot, const Table& table) {
+    std::string left_out;
+    for (const Column& column : table.columns)
+        if (column.is_left_out)
+            left_out += (left_out.empty() ? "" : ", ") + quoted_text(column.name.text);
+    if (!left_out.empty())
+        snapshot.notes.push_back("left out for empty cells: " + left_out);
+    if (table.plane_is_xz)
+        snapshot.notes.push_back("2D in the plane xz, taken as x, y");
+}
+
+Snapshot snapshot_of(Table& table) {
     Snapshot snapshot;
     set_positions(snapshot, table);
     if (!table.velocity.empty())
@@ -387,21 +410,24 @@ bool is_csv(const fs::path& file) {
 /// columns have one name; where a unit is not the SI's; and where the file does not end with a line
 /// break, since it may then be cut within a number. A file that is cut at the end of a line cannot
 /// be told from a whole one. Memory is bounded by the file's own size.
-Snapshot read_csv(const fs::path& file) {
+Snapshot read_csv(const fs::path& file, const ReadChoices& /*choices*/) {
     const std::string bytes = read_whole(file);
     Source source = source_of(file, bytes);
-    check_end(source);
     const std::optional<Header> header = find_header(source);
     if (!header) {
         fail(source, "", "a line up to here that names columns of positions, such as 'x,y,z'",
              "none");
     }
+    if (source.rest.empty() && bytes.back() != '\n')
+        fail(source, "", "a line break behind the names", "none; export the file again");
+    check_end(source, header->separator);
     double time = 0;
     if (header->time && (read_number(*header->time, time) != std::errc() || !std::isfinite(time)))
         fail(source, "", "the time in the line after TimeStep", quoted_text(*header->time));
     Table table = table_of(source, *header);
     read_rows(source, header->separator, table);
-    Snapshot snapshot = snapshot_of(std::move(table));
+    Snapshot snapshot = snapshot_of(table);
+    add_notes(snapshot, table);
     snapshot.time = header->time ? std::make_optional(time) : std::nullopt;
     return snapshot;
 }

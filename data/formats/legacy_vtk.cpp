@@ -53,9 +53,21 @@ std::string decoded_name(const std::string& stored) {
     return name;
 }
 
+/// Arrays of numbers, and the names of those that are texts, which say nothing that we use.
+struct Arrays : std::vector<PointArray> {
+    std::vector<std::string> texts;
+};
+
+void skip_texts(Source& source, const std::string& section, std::uint64_t tuples,
+                std::uint64_t components) {
+    if (tuples > source.rest.size() / components)
+        fail(source, section, std::to_string(tuples) + " texts", "fewer bytes left in the file");
+    take_texts(source, section, tuples * components);
+}
+
 /// FIELD name n, then n times: name components tuples type, and the values. Each array has the
 /// given number of tuples, or any where none is given.
-void read_field(Source& source, const Words& header, std::vector<PointArray>& arrays,
+void read_field(Source& source, const Words& header, Arrays& arrays,
                 std::optional<std::uint64_t> tuples) {
     expect_words(source, header, "FIELD", "FIELD name arrays", 3, 3);
     const std::uint64_t count = parse_count(source, "FIELD", header[2]);
@@ -69,6 +81,11 @@ void read_field(Source& source, const Words& header, std::vector<PointArray>& ar
         const std::uint64_t stored = parse_count(source, section, words[2]);
         if (tuples && stored != *tuples)
             fail(source, section, std::to_string(*tuples) + " tuples", words[2]);
+        if (lowered(words[3]) == "string") {
+            skip_texts(source, section, stored, static_cast<std::uint64_t>(components));
+            arrays.texts.push_back(decoded_name(words[0]));
+            continue;
+        }
         const ScalarType& type = parse_type(source, section, words[3]);
         ArrayValues values =
             take_values(source, section, stored, static_cast<std::uint64_t>(components), type);
@@ -77,8 +94,7 @@ void read_field(Source& source, const Words& header, std::vector<PointArray>& ar
 }
 
 /// SCALARS name type [components], LOOKUP_TABLE name, and the values.
-void read_scalars(Source& source, const Words& header, std::vector<PointArray>& arrays,
-                  std::uint64_t tuples) {
+void read_scalars(Source& source, const Words& header, Arrays& arrays, std::uint64_t tuples) {
     expect_words(source, header, "SCALARS", "SCALARS name type [components]", 3, 4);
     const std::string section = "SCALARS " + quoted_text(header[1]);
     const ScalarType& type = parse_type(source, section, header[2]);
@@ -101,8 +117,7 @@ void skip_lookup_table(Source& source, const Words& header) {
 
 /// COLOR_SCALARS name components: how VTK writes unsigned_char values that it would color by. They
 /// are bytes in binary files, fractions of 255 in ASCII ones.
-void read_color_scalars(Source& source, const Words& header, std::vector<PointArray>& arrays,
-                        std::uint64_t tuples) {
+void read_color_scalars(Source& source, const Words& header, Arrays& arrays, std::uint64_t tuples) {
     expect_words(source, header, "COLOR_SCALARS", "COLOR_SCALARS name components", 3, 3);
     const std::string section = "COLOR_SCALARS " + quoted_text(header[1]);
     const int components = parse_components(source, section, header[2]);
@@ -123,8 +138,8 @@ void read_color_scalars(Source& source, const Words& header, std::vector<PointAr
 }
 
 /// KEYWORD name type, and the values.
-void read_plain(Source& source, const Words& header, std::vector<PointArray>& arrays,
-                std::uint64_t tuples, int components) {
+void read_plain(Source& source, const Words& header, Arrays& arrays, std::uint64_t tuples,
+                int components) {
     expect_words(source, header, header[0], header[0] + " name type", 3, 3);
     const std::string section = header[0] + " " + quoted_text(header[1]);
     const ScalarType& type = parse_type(source, section, header[2]);
@@ -134,8 +149,7 @@ void read_plain(Source& source, const Words& header, std::vector<PointArray>& ar
 }
 
 /// TEXTURE_COORDINATES name components type, and the values.
-void read_texture_coordinates(Source& source, Words header, std::vector<PointArray>& arrays,
-                              std::uint64_t tuples) {
+void read_texture_coordinates(Source& source, Words header, Arrays& arrays, std::uint64_t tuples) {
     expect_words(source, header, "TEXTURE_COORDINATES", "TEXTURE_COORDINATES name components type",
                  4, 4);
     const int components = parse_components(source, header[0], header[2]);
@@ -153,8 +167,7 @@ constexpr PlainAttribute plain_attributes[] = {
     {"GLOBAL_IDS", 1}, {"PEDIGREE_IDS", 1}, {"EDGE_FLAGS", 1}};
 
 /// One section of POINT_DATA or CELL_DATA.
-void read_attribute(Source& source, const Words& header, std::vector<PointArray>& arrays,
-                    std::uint64_t tuples) {
+void read_attribute(Source& source, const Words& header, Arrays& arrays, std::uint64_t tuples) {
     if (starts_with(header, "FIELD"))
         return read_field(source, header, arrays, tuples);
     if (starts_with(header, "SCALARS"))
@@ -289,8 +302,9 @@ Words read_polydata_cells(Source& source, Words header, int version) {
 
 /// POINT_DATA and CELL_DATA to the end of the file.
 void read_data(Source& source, Words header, Snapshot& snapshot) {
-    std::vector<PointArray> cell_data;
-    std::vector<PointArray>* arrays = nullptr;
+    Arrays cell_data;
+    Arrays point_data;
+    Arrays* arrays = nullptr;
     std::uint64_t tuples = 0;
     while (!header.empty()) {
         if (starts_with(header, "POINT_DATA") || starts_with(header, "CELL_DATA")) {
@@ -299,10 +313,10 @@ void read_data(Source& source, Words header, Snapshot& snapshot) {
             tuples = parse_count(source, header[0], header[1]);
             if (of_points && tuples != source.particles)
                 fail(source, header[0], std::to_string(source.particles) + " tuples", header[1]);
-            arrays = of_points ? &snapshot.point_data : &cell_data;
+            arrays = of_points ? &point_data : &cell_data;
+            if (of_points && tuples > 0 && source.rest.empty()) // not even an empty line
+                fail(source, "POINT_DATA", "an array", shown({}));
             header = next_header(source);
-            if (header.empty() && tuples > 0)
-                fail(source, of_points ? "POINT_DATA" : "CELL_DATA", "an array", shown(header));
         } else if (arrays != nullptr) {
             read_attribute(source, header, *arrays, tuples);
             header = next_header(source);
@@ -310,6 +324,9 @@ void read_data(Source& source, Words header, Snapshot& snapshot) {
             fail(source, "after POINTS", "cells, POINT_DATA or CELL_DATA", shown(header));
         }
     }
+    for (const std::string& name : point_data.texts)
+        snapshot.notes.push_back("point data " + quoted_text(name) + " is text and left out");
+    snapshot.point_data = std::move(point_data);
 }
 
 void check_names(const Source& source, const Snapshot& snapshot) {
@@ -329,7 +346,7 @@ bool is_legacy_vtk(const fs::path& file) {
 
 /// Reads positions and point data. Throws InputError, naming the section, on anything that is not
 /// well formed; memory is bounded by the file's own size whatever its header claims.
-Snapshot read_legacy_vtk(const fs::path& file) {
+Snapshot read_legacy_vtk(const fs::path& file, const ReadChoices& /*choices*/) {
     const std::string bytes = read_whole(file);
     Source source{file, bytes};
     const int version = read_version(source);
@@ -337,7 +354,7 @@ Snapshot read_legacy_vtk(const fs::path& file) {
 
     Snapshot snapshot;
     Words header = next_header(source);
-    std::vector<PointArray> about_the_file;
+    Arrays about_the_file;
     while (starts_with(header, "FIELD")) {
         read_field(source, header, about_the_file, std::nullopt);
         header = next_header(source);

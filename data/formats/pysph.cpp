@@ -3,13 +3,15 @@
 // /solver_data. What such a file leaves open is taken as follows, and the snapshot's provenance
 // says so:
 //   - Which arrays are walls is told by their names (boundary, solid, wall, tank, ...), and rigid
-//     bodies by their property `body_id`; all others are fluid, each one a phase where there are
-//     several. An array that is alone is fluid whatever its name. (`fluid_arrays`,
-//     `boundary_arrays`)
+//     bodies by their property `body_id`; fluid, water and the like are fluid, each one a phase
+//     where there are several, and inlets and outlets are more of it. One array by another name is
+//     the fluid where there is no other, and else has to be chosen by whoever reads the file. An
+//     array that is alone is fluid whatever its name. (`fluid_arrays`, `boundary_arrays`)
+//   - Ghosts, which are copies across a periodic box or a mirror, cover as walls do.
 //   - PySPH's h is a smoothing length; the support radius is 2 h, as for its cubic spline and
 //     Wendland kernels. (`support_radius_from`)
 #include "detail/hdf5_formats.hpp"
-#include <meniscus/data/text/errors.hpp>
+#include "detail/particle_roles.hpp"
 #include <meniscus/data/text/text.hpp>
 
 #include <algorithm>
@@ -28,12 +30,23 @@ namespace {
 using Names = std::vector<std::string>;
 using Indices = std::vector<std::size_t>;
 
-// Words of the names that walls and bodies have in PySPH's examples, and of those that only a fluid
-// has, whatever else ("tank_water").
+// Words of the names that walls and bodies have in PySPH's examples, those that only a fluid has,
+// whatever else ("tank_water"), and those of fluid that comes and goes.
 constexpr std::string_view wall_words[] = {"boundary", "solid",   "wall",      "tank",
                                            "obstacle", "channel", "container", "vessel",
                                            "rigid",    "body",    "gate",      "cylinder"};
-constexpr std::string_view fluid_words[] = {"fluid", "liquid", "water"};
+constexpr std::string_view fluid_words[] = {"fluid", "liquid", "water", "oil", "gas", "air"};
+constexpr std::string_view opening_words[] = {"inlet", "outlet"};
+
+enum class Role { fluid, opening, wall, ignored, unknown };
+
+/// Arrays by what they are.
+struct Roles {
+    Names fluids;   ///< each a phase
+    Names openings; ///< more of the first fluid
+    Names walls;
+    Names ignored;
+};
 
 std::string folder_of(const std::string& array) {
     return "/particles/" + array + "/arrays";
@@ -49,9 +62,71 @@ bool contains_any(const std::string& name, const std::string_view (&words)[Count
     });
 }
 
-bool is_boundary(const Hdf5Source& source, const std::string& array) {
-    return !contains_any(array, fluid_words) &&
-           (contains_any(array, wall_words) || exists(source, folder_of(array) + "/body_id"));
+Role role_by_name(const Hdf5Source& source, const std::string& array) {
+    if (contains_any(array, opening_words))
+        return Role::opening;
+    if (contains_any(array, fluid_words))
+        return Role::fluid;
+    if (contains_any(array, wall_words) || exists(source, folder_of(array) + "/body_id"))
+        return Role::wall;
+    return Role::unknown;
+}
+
+std::string joined(const Names& names) {
+    std::string text;
+    for (const std::string& name : names)
+        text += (text.empty() ? "" : ", ") + name;
+    return text;
+}
+
+bool holds(const Names& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// As the person says who reads the file; where fluids are chosen, others are ignored.
+Role role_of(const Hdf5Source& source, const std::string& array, const ReadChoices& choices) {
+    if (holds(choices.fluid, array))
+        return Role::fluid;
+    if (holds(choices.walls, array))
+        return Role::wall;
+    if (holds(choices.ignored, array))
+        return Role::ignored;
+    const Role role = role_by_name(source, array);
+    return !choices.fluid.empty() && role != Role::wall ? Role::ignored : role;
+}
+
+void check_choices(const Hdf5Source& source, const Names& arrays, const ReadChoices& choices) {
+    for (const Names* chosen : {&choices.fluid, &choices.walls, &choices.ignored})
+        for (const std::string& name : *chosen)
+            if (!holds(arrays, name))
+                fail(source, "/particles", "an array '" + name + "', as chosen",
+                     "none but " + joined(arrays));
+}
+
+Roles roles_of(const Hdf5Source& source, const ReadChoices& choices) {
+    const Names arrays = names_in(source, "/particles");
+    check_choices(source, arrays, choices);
+    Roles roles;
+    Names unknown;
+    for (const std::string& array : arrays) {
+        const Role role = role_of(source, array, choices);
+        (role == Role::fluid     ? roles.fluids
+         : role == Role::opening ? roles.openings
+         : role == Role::wall    ? roles.walls
+         : role == Role::ignored ? roles.ignored
+                                 : unknown)
+            .push_back(array);
+    }
+    if (roles.fluids.empty() && unknown.size() == 1)
+        std::swap(roles.fluids, unknown);
+    if (roles.fluids.empty() && (arrays.size() == 1 || !roles.openings.empty()))
+        std::swap(roles.fluids, roles.openings.empty() ? roles.walls : roles.openings);
+    if (!unknown.empty()) {
+        const std::string& name = unknown.front();
+        fail(source, "/particles/" + name, "a name that says fluid or wall",
+             "neither; give --fluid " + name + ", --walls " + name + " or --ignore " + name);
+    }
+    return roles;
 }
 
 /// The property of all particles, real or not; nothing where the file does not store it, which
@@ -86,46 +161,46 @@ std::vector<double> read_scalars(const Hdf5Source& source, const std::string& fo
     return as_doubles(*property);
 }
 
-/// Particles that are not copies of others, such as ghosts and those of another process.
-Indices real_particles(const Hdf5Source& source, const std::string& folder, std::size_t particles) {
+// PySPH's tags of particles.
+constexpr double real_tag = 0;
+constexpr double ghost_tag = 2; // 1 is a copy of another process's
+
+/// The particles with that tag, which without tags are all real.
+Indices tagged_particles(const Hdf5Source& source, const std::string& folder, std::size_t particles,
+                         double tag) {
     const std::vector<double> tags = read_scalars(source, folder, "tag", particles);
-    Indices real;
+    Indices tagged;
     for (std::size_t i = 0; i < particles; ++i)
-        if (tags.empty() || tags[i] == 0)
-            real.push_back(i);
-    return real;
+        if ((tags.empty() ? real_tag : tags[i]) == tag)
+            tagged.push_back(i);
+    return tagged;
 }
 
-void keep_rows(PointArray& array, const Indices& rows) {
-    const auto components = static_cast<std::size_t>(array.components);
-    std::visit(
-        [&](auto& values) {
-            auto end = values.begin(); // rows ascend, so what is kept moves down
-            for (const std::size_t row : rows)
-                end = std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(row * components),
-                                  components, end);
-            values.erase(end, values.end());
-        },
-        array.values);
+Positions read_positions(const Hdf5Source& source, const std::string& folder, std::size_t particles,
+                         const Indices& rows) {
+    Positions positions(rows.size());
+    for (const std::size_t axis : {0, 1, 2}) {
+        const std::string name(1, "xyz"[axis]);
+        const std::vector<double> values = read_scalars(source, folder, name, particles);
+        for (std::size_t i = 0; i < rows.size() && !values.empty(); ++i) // else 0, as in a plane
+            positions[i][axis] = values[rows[i]];
+    }
+    return positions;
 }
 
-/// The real particles of one array. With `properties`, all that is stored of them, under PySPH's
-/// names.
+/// The real particles of one array, its ghosts being the boundary. With `properties`, all that is
+/// stored of them, under PySPH's names.
 Snapshot read_array(const Hdf5Source& source, const std::string& array, bool properties) {
     const std::string folder = folder_of(array);
     if (!exists(source, "/particles/" + array) || !exists(source, folder))
         fail(source, folder, "a group of properties", "none");
     const Dataset x = open_dataset(source, folder + "/x");
     const std::size_t particles = value_count(x);
-    const Indices real = real_particles(source, folder, particles);
+    const Indices real = tagged_particles(source, folder, particles, real_tag);
     Snapshot state;
-    state.positions.resize(real.size());
-    for (const std::size_t axis : {0, 1, 2}) {
-        const std::string name(1, "xyz"[axis]);
-        const std::vector<double> values = read_scalars(source, folder, name, particles);
-        for (std::size_t i = 0; i < real.size() && !values.empty(); ++i) // else 0, as in a plane
-            state.positions[i][axis] = values[real[i]];
-    }
+    state.positions = read_positions(source, folder, particles, real);
+    state.boundary = read_positions(source, folder, particles,
+                                    tagged_particles(source, folder, particles, ghost_tag));
     if (std::holds_alternative<std::vector<float>>(empty_values(source, x)))
         state.position_precision = Precision::float32;
     for (const std::string& name : properties ? names_in(source, folder) : Names()) {
@@ -156,6 +231,8 @@ bool append(PointArray& array, const PointArray* more) {
 
 /// Adds particles, and keeps the properties that both have.
 void append(Snapshot& state, Snapshot more) {
+    if (!state.positions.empty())
+        state.boundary.insert(state.boundary.end(), more.boundary.begin(), more.boundary.end());
     if (state.positions.empty()) {
         state = std::move(more);
     } else if (!more.positions.empty()) {
@@ -181,25 +258,6 @@ std::optional<PointArray> take(Snapshot& snapshot, std::string_view name) {
     return std::nullopt;
 }
 
-void take_velocity(Snapshot& snapshot) {
-    const auto is_stored = [&](const char* name) {
-        const PointArray* array = find_array(snapshot, name);
-        return array != nullptr && array->components == 1;
-    };
-    if (!is_stored("u") || !is_stored("v"))
-        return;
-    std::vector<double> velocity(3 * snapshot.size());
-    for (const std::size_t axis : {0, 1, 2}) {
-        const std::string name(1, "uvw"[axis]);
-        if (is_stored(name.c_str())) { // w need not be, in two dimensions
-            const std::vector<double> values = as_doubles(*take(snapshot, name));
-            for (std::size_t i = 0; i < values.size(); ++i)
-                velocity[3 * i + axis] = values[i];
-        }
-    }
-    set_array(snapshot, {"velocity", 3, std::move(velocity)});
-}
-
 /// Particles of a run on one process all have the same id, which says nothing.
 bool tells_apart(const PointArray& id) {
     const std::vector<double> ids = as_doubles(id);
@@ -209,8 +267,7 @@ bool tells_apart(const PointArray& id) {
 }
 
 void rename_properties(Snapshot& snapshot) {
-    constexpr std::pair<const char*, const char*> our_names[] = {
-        {"rho", "density"}, {"m", "mass"}, {"p", "pressure"}, {"gid", "id"}};
+    constexpr std::pair<const char*, const char*> our_names[] = {{"p", "pressure"}, {"gid", "id"}};
     for (const auto& [name, ours] : our_names) {
         auto property = take(snapshot, name);
         if (property && (name != std::string_view("gid") || tells_apart(*property))) {
@@ -242,56 +299,59 @@ void take_support_radius(Snapshot& snapshot) {
         " m; give --support-radius where the kernel's radius is not 2 h";
 }
 
-/// The fluid arrays' particles one after another, each array a phase where there are several.
-Snapshot read_fluids(const Hdf5Source& source, const Names& fluids) {
+/// The fluid arrays' particles one after another, each array a phase where there are several, with
+/// those of inlets and outlets in the phase of the first.
+Snapshot read_fluids(const Hdf5Source& source, const Roles& roles) {
     Snapshot snapshot;
     std::vector<std::int32_t> phases;
-    for (const std::string& fluid : fluids) {
-        Snapshot more = read_array(source, fluid, true);
-        phases.insert(phases.end(), more.size(), static_cast<std::int32_t>(&fluid - fluids.data()));
+    const auto add = [&](const std::string& array, std::size_t phase) {
+        Snapshot more = read_array(source, array, true);
+        phases.insert(phases.end(), more.size(), static_cast<std::int32_t>(phase));
         append(snapshot, std::move(more));
-    }
-    if (fluids.size() > 1)
+    };
+    for (std::size_t phase = 0; phase < roles.fluids.size(); ++phase)
+        add(roles.fluids[phase], phase);
+    for (const std::string& opening : roles.openings)
+        add(opening, 0);
+    if (roles.fluids.size() > 1)
         set_array(snapshot, {"phase", 1, std::move(phases)});
     return snapshot;
 }
 
-std::string joined(const Names& names) {
-    std::string text;
-    for (const std::string& name : names)
-        text += (text.empty() ? "" : ", ") + name;
-    return text;
+std::string shown(const char* what, const Names& arrays) {
+    return arrays.empty() ? "" : std::string("; ") + what + ": " + joined(arrays);
+}
+
+/// What the arrays were taken for.
+std::string roles_note(const Roles& roles, std::size_t ghosts) {
+    std::string note = "arrays of fluid: " + joined(roles.fluids);
+    if (!roles.openings.empty())
+        note += " with " + joined(roles.openings) + " as more of " + roles.fluids.front();
+    return note + shown("walls", roles.walls) + shown("ignored", roles.ignored) +
+           (ghosts > 0 ? "; " + std::to_string(ghosts) + " ghosts cover as walls do" : "");
 }
 
 bool holds_pysph(const Hdf5Source& source) {
     return exists(source, "/particles") && exists(source, "/solver_data");
 }
 
-/// The real particles (`tag` 0). Names become ours: `velocity`, `density`, `mass`, `pressure`,
-/// `id`; other properties that all fluid arrays store keep theirs. A support radius that varies is
-/// point data `support_radius`. Throws InputError where there is no fluid particle.
-Snapshot pysph_snapshot(const Hdf5Source& source) {
-    Names fluids = names_in(source, "/particles");
-    Names boundaries;
-    if (fluids.size() > 1) {
-        const auto first_boundary =
-            std::stable_partition(fluids.begin(), fluids.end(), [&](const std::string& array) {
-                return !is_boundary(source, array);
-            });
-        boundaries.assign(first_boundary, fluids.end());
-        fluids.erase(first_boundary, fluids.end());
-    }
-    Snapshot snapshot = read_fluids(source, fluids);
+/// The real particles (`tag` 0) of the fluids. Properties that all fluid arrays store keep their
+/// names, but for `pressure` and `id`. A support radius that varies is point data `support_radius`.
+/// Throws InputError where there is no fluid particle, and where an array may be fluid or wall.
+Snapshot pysph_snapshot(const Hdf5Source& source, const ReadChoices& choices) {
+    const Roles roles = roles_of(source, choices);
+    Snapshot snapshot = read_fluids(source, roles);
     if (snapshot.positions.empty()) {
         fail(source, "/particles", "fluid particles",
-             "none in the arrays " + joined(fluids.empty() ? boundaries : fluids) +
-                 (fluids.empty() ? ", which are walls by their names" : ""));
+             "none in the arrays " + joined(roles.fluids.empty() ? roles.walls : roles.fluids) +
+                 (roles.fluids.empty() ? ", which are walls by their names" : ""));
     }
-    for (const std::string& boundary : boundaries) {
-        const Positions more = read_array(source, boundary, false).positions;
-        snapshot.boundary.insert(snapshot.boundary.end(), more.begin(), more.end());
+    const std::size_t ghosts = snapshot.boundary.size();
+    for (const std::string& wall : roles.walls) {
+        const Snapshot more = read_array(source, wall, false);
+        for (const Positions* positions : {&more.positions, &more.boundary})
+            snapshot.boundary.insert(snapshot.boundary.end(), positions->begin(), positions->end());
     }
-    take_velocity(snapshot);
     rename_properties(snapshot);
     take_support_radius(snapshot);
     const auto time = number_attribute<double>(source, "/solver_data", "t", 1);
@@ -300,9 +360,13 @@ Snapshot pysph_snapshot(const Hdf5Source& source) {
     Positions all = snapshot.positions;
     all.insert(all.end(), snapshot.boundary.begin(), snapshot.boundary.end());
     snapshot.dimension = dimension_of(all);
+    Names fluids = roles.fluids;
+    fluids.insert(fluids.end(), roles.openings.begin(), roles.openings.end());
     snapshot.provenance["fluid_arrays"] = joined(fluids);
-    if (!boundaries.empty())
-        snapshot.provenance["boundary_arrays"] = joined(boundaries);
+    if (!roles.walls.empty())
+        snapshot.provenance["boundary_arrays"] = joined(roles.walls);
+    if (fluids.size() > 1 || !roles.walls.empty() || !roles.ignored.empty() || ghosts > 0)
+        snapshot.notes.push_back(roles_note(roles, ghosts));
     return snapshot;
 }
 

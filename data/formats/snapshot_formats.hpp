@@ -3,6 +3,7 @@
 // own (detail/hdf5_formats.hpp).
 #pragma once
 
+#include "read_choices.hpp"
 #include <meniscus/data/particles/snapshot.hpp>
 
 #include <filesystem>
@@ -18,17 +19,28 @@ struct SnapshotFormat {
     bool (*detect)(const std::filesystem::path& file);
     /// Throws InputError, naming the file and the place in it, on anything that is not well formed.
     /// Memory is bounded by what the file's bytes can hold, whatever they claim.
-    Snapshot (*read)(const std::filesystem::path& file);
+    Snapshot (*reader)(const std::filesystem::path& file, const ReadChoices& choices);
+
+    /// As the file has it, but for choices that name arrays of particles.
+    Snapshot read(const std::filesystem::path& file, const ReadChoices& choices = {}) const {
+        return reader(file, choices);
+    }
 };
 
 SnapshotFormat hdf5_format();
 SnapshotFormat legacy_vtk_format();
 SnapshotFormat bgeo_format();
+SnapshotFormat vtk_xml_format();
+SnapshotFormat ply_format();
+SnapshotFormat npy_format();
+SnapshotFormat xyz_format();
+SnapshotFormat lammps_format();
 SnapshotFormat csv_format();
 
 /// In the order in which a file is tried.
 inline std::vector<SnapshotFormat> snapshot_formats() {
-    return {hdf5_format(), legacy_vtk_format(), bgeo_format(), csv_format()};
+    return {hdf5_format(), legacy_vtk_format(), vtk_xml_format(), bgeo_format(), ply_format(),
+            npy_format(),  xyz_format(),        lammps_format(),  csv_format()};
 }
 
 } // namespace meniscus

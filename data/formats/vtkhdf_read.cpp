@@ -16,10 +16,35 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view polydata_type = "PolyData";
+
+/// A series is one state where it has one step.
+void check_steps(const Hdf5Source& source) {
+    if (!exists(source, "/VTKHDF/Steps"))
+        return;
+    const auto steps = number_attribute<std::int64_t>(source, "/VTKHDF/Steps", "NSteps", 1);
+    if (steps.size() != 1 || steps[0] != 1) {
+        fail(source, "/VTKHDF/Steps", "one state a file",
+             "a series of " + (steps.size() == 1 ? std::to_string(steps[0]) : "unknown length") +
+                 "; store each state by itself");
+    }
+}
+
+/// The time of the one step, where it is stored.
+std::optional<double> read_step_time(const Hdf5Source& source) {
+    const std::string path = "/VTKHDF/Steps/Values";
+    if (!exists(source, "/VTKHDF/Steps") || !exists(source, path))
+        return std::nullopt;
+    const auto values = as_doubles({"Values", 1, read_numbers(source, open_dataset(source, path))});
+    return values.size() == 1 && std::isfinite(values[0]) ? std::make_optional(values[0])
+                                                          : std::nullopt;
+}
+
 void check_grid(const Hdf5Source& source) {
     const std::string type = text_attribute(source, "/VTKHDF", "Type");
-    if (type != grid_type) {
-        fail(source, "/VTKHDF attribute Type", std::string(grid_type),
+    if (type != grid_type && type != polydata_type) {
+        fail(source, "/VTKHDF attribute Type",
+             std::string(grid_type) + " or " + std::string(polydata_type),
              type.empty() ? "none that is readable" : "'" + type + "', which is not supported");
     }
     const auto version = number_attribute<std::int64_t>(source, "/VTKHDF", "Version", 2);
@@ -27,8 +52,7 @@ void check_grid(const Hdf5Source& source) {
         fail(source, "/VTKHDF attribute Version", "two numbers, the first 1 or 2",
              version.size() == 2 ? std::to_string(version[0]) : "none that is readable");
     }
-    if (exists(source, "/VTKHDF/Steps"))
-        fail(source, "/VTKHDF/Steps", "one state a file", "a series; store each state by itself");
+    check_steps(source);
 }
 
 /// The sum over the partitions of the grid.
@@ -64,6 +88,12 @@ void read_points(const Hdf5Source& source, Snapshot& snapshot) {
 
 /// A mesh has points too, but they are no particles.
 void check_cells(const Hdf5Source& source) {
+    for (const char* mesh : {"Lines", "Polygons", "Strips"}) {
+        const std::string path = "/VTKHDF/" + std::string(mesh);
+        if (exists(source, path) && exists(source, path + "/NumberOfCells") &&
+            read_count(source, path + "/NumberOfCells") > 0)
+            fail(source, path, "no cells but Vertices", "some; a mesh is no snapshot");
+    }
     const std::string path = "/VTKHDF/Types";
     if (!exists(source, path))
         return;
@@ -123,8 +153,12 @@ void read_field_data(const Hdf5Source& source, Snapshot& snapshot) {
     snapshot.particle_spacing = read_positive(source, "particle_spacing");
     snapshot.particle_volume = read_positive(source, "particle_volume");
     snapshot.time = read_field(source, "time");
+    if (!snapshot.time)
+        snapshot.time = read_step_time(source);
     const int suggested = dimension_of(snapshot.positions);
-    const double dimension = read_field(source, "dimension").value_or(suggested);
+    const std::optional<double> stated = read_field(source, "dimension");
+    snapshot.dimension_is_stated = stated.has_value();
+    const double dimension = stated.value_or(suggested);
     if (dimension != 2 && dimension != 3)
         fail(source, "/VTKHDF/FieldData/dimension", "2 or 3", number_text(dimension));
     snapshot.dimension = static_cast<int>(dimension);
@@ -161,7 +195,7 @@ bool holds_vtkhdf(const Hdf5Source& source) {
     return exists(source, "/VTKHDF");
 }
 
-Snapshot vtkhdf_snapshot(const Hdf5Source& source) {
+Snapshot vtkhdf_snapshot(const Hdf5Source& source, const ReadChoices& /*choices*/) {
     check_grid(source);
     Snapshot snapshot;
     read_points(source, snapshot);
@@ -173,7 +207,7 @@ Snapshot vtkhdf_snapshot(const Hdf5Source& source) {
 }
 
 Snapshot read(const fs::path& file) {
-    return vtkhdf_snapshot(open_source(file));
+    return vtkhdf_snapshot(open_source(file), {});
 }
 
 /// An empty snapshot, or an InputError where the file holds no VTKHDF.

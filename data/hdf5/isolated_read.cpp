@@ -182,6 +182,7 @@ void carry(Pipe& pipe, Snapshot& snapshot) {
     pipe.number(is_single);
     snapshot.position_precision = is_single != 0 ? Precision::float32 : Precision::float64;
     pipe.number(snapshot.dimension);
+    pipe.number(snapshot.dimension_is_stated);
     carry_optional(pipe, snapshot.support_radius);
     carry_optional(pipe, snapshot.particle_spacing);
     carry_optional(pipe, snapshot.particle_volume);
@@ -194,6 +195,7 @@ void carry(Pipe& pipe, Snapshot& snapshot) {
         pipe.text(entry.second);
     });
     snapshot.provenance = {texts.begin(), texts.end()};
+    pipe.list(snapshot.notes, [&](std::string& note) { pipe.text(note); });
     pipe.values(snapshot.positions);
     pipe.values(snapshot.boundary);
     pipe.list(snapshot.point_data, [&](PointArray& array) {
@@ -280,7 +282,7 @@ void send_error(Sender& sender, Outcome outcome, const std::string& message) {
     sender.number(end_mark);
 }
 
-void read_and_send(int pipe, const fs::path& file, Snapshot (*read)(const fs::path&)) {
+void read_and_send(int pipe, const fs::path& file, const SnapshotReader& read) {
     Sender sender(pipe);
     try {
         Snapshot snapshot = read(file);
@@ -300,7 +302,7 @@ void read_and_send(int pipe, const fs::path& file, Snapshot (*read)(const fs::pa
 
 /// All that a child does. It neither returns nor throws: what the parent would do then is not for
 /// the child.
-[[noreturn]] void be_child(int pipe, const fs::path& file, Snapshot (*read)(const fs::path&)) {
+[[noreturn]] void be_child(int pipe, const fs::path& file, const SnapshotReader& read) {
     try {
         read_and_send(pipe, file, read);
         _exit(0);
@@ -345,7 +347,7 @@ private:
 }
 
 /// Forks a child that reads, and returns the parent's end of the pipe and the child's number.
-std::pair<int, pid_t> start(const fs::path& file, Snapshot (*read)(const fs::path&),
+std::pair<int, pid_t> start(const fs::path& file, const SnapshotReader& read,
                             const ReadLimits& limits, std::uint64_t max_memory) {
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0)
@@ -428,8 +430,7 @@ ReadLimits limits_for(std::uint64_t file_bytes) {
             20 + file_bytes / 250'000};
 }
 
-Snapshot read_isolated(const fs::path& file, Snapshot (*read)(const fs::path&),
-                       const ReadLimits& limits) {
+Snapshot read_isolated(const fs::path& file, const SnapshotReader& read, const ReadLimits& limits) {
     const std::uint64_t max_memory = memory_in_use() + limits.memory_bytes;
     const auto [pipe, process] = start(file, read, limits, max_memory);
     Child child(process, pipe);
@@ -453,7 +454,7 @@ Snapshot read_isolated(const fs::path& file, Snapshot (*read)(const fs::path&),
     }
 }
 
-Snapshot read_isolated(const fs::path& file, Snapshot (*read)(const fs::path&)) {
+Snapshot read_isolated(const fs::path& file, const SnapshotReader& read) {
     std::error_code unknown; // whoever reads says why
     const std::uintmax_t bytes = fs::file_size(file, unknown);
     return read_isolated(file, read, limits_for(unknown ? 0 : bytes));

@@ -8,8 +8,11 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 
 namespace meniscus {
+
+using SnapshotReader = std::function<Snapshot(const std::filesystem::path&)>;
 
 /// What a child may use, in addition to what its parent has in use; a file that needs more counts
 /// as damaged.
@@ -28,11 +31,10 @@ ReadLimits limits_for(std::uint64_t file_bytes);
 /// Memory is not limited under AddressSanitizer, which reserves more than any limit.
 /// Not to be called while another thread is inside the HDF5 library, whose lock the child would
 /// wait for.
-Snapshot read_isolated(const std::filesystem::path& file,
-                       Snapshot (*read)(const std::filesystem::path&), const ReadLimits& limits);
+Snapshot read_isolated(const std::filesystem::path& file, const SnapshotReader& read,
+                       const ReadLimits& limits);
 
 /// The same within limits_for the file's size.
-Snapshot read_isolated(const std::filesystem::path& file,
-                       Snapshot (*read)(const std::filesystem::path&));
+Snapshot read_isolated(const std::filesystem::path& file, const SnapshotReader& read);
 
 } // namespace meniscus

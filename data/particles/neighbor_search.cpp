@@ -479,6 +479,28 @@ void NeighborGrid::find_around(const std::array<double, 3>& center, double radiu
                      });
 }
 
+namespace {
+
+/// As visit_neighbors, for lists: of what lies in a crowd in one place, only so many.
+template <class Found>
+void visit_listed(const Levels& levels, std::size_t place, std::size_t max_crowd, Found&& found) {
+    const std::size_t level = level_of(levels, place);
+    const Grid& own = levels.grids[level];
+    const std::size_t s = place - levels.first_place[level];
+    const double near = crowd_radius * (own.radii.empty() ? own.radius : own.radii[s]);
+    std::size_t crowd = 0;
+    visit_neighbors(levels, place,
+                    [&](std::uint32_t other, const std::array<double, 3>& displacement) {
+                        double distance_squared = 0;
+                        for (const double x : displacement)
+                            distance_squared += x * x;
+                        if (distance_squared >= near * near || ++crowd <= max_crowd)
+                            found(other);
+                    });
+}
+
+} // namespace
+
 NeighborLists find_neighbors(const Positions& positions, const SupportRadii& radii,
                              const NeighborFilter& filter, int threads) {
     const NeighborGrid sorted(positions, radii, filter, threads);
@@ -491,8 +513,8 @@ NeighborLists find_neighbors(const Positions& positions, const SupportRadii& rad
 #pragma omp parallel for num_threads(thread_count(threads)) schedule(dynamic, 1024)
     for (std::int64_t s = 0; s < count; ++s) {
         std::size_t found = 0;
-        visit_neighbors(levels, static_cast<std::size_t>(s),
-                        [&](std::uint32_t, const std::array<double, 3>&) { ++found; });
+        visit_listed(levels, static_cast<std::size_t>(s), filter.max_crowd,
+                     [&](std::uint32_t) { ++found; });
         lists.offsets[particle_at(levels, s) + 1] = found;
     }
     for (std::size_t i = 0; i < positions.size(); ++i)
@@ -501,10 +523,8 @@ NeighborLists find_neighbors(const Positions& positions, const SupportRadii& rad
 #pragma omp parallel for num_threads(thread_count(threads)) schedule(dynamic, 1024)
     for (std::int64_t s = 0; s < count; ++s) {
         std::size_t place = lists.offsets[particle_at(levels, s)];
-        visit_neighbors(levels, static_cast<std::size_t>(s),
-                        [&](std::uint32_t neighbor, const std::array<double, 3>&) {
-                            lists.neighbors[place++] = neighbor;
-                        });
+        visit_listed(levels, static_cast<std::size_t>(s), filter.max_crowd,
+                     [&](std::uint32_t neighbor) { lists.neighbors[place++] = neighbor; });
     }
     return lists;
 }

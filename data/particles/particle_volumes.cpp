@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <omp.h>
 
 namespace meniscus {
@@ -16,9 +17,10 @@ double kernel_scale(int dimension) {
     return dimension == 2 ? cubic_spline_scale<2> : cubic_spline_scale<3>;
 }
 
-/// h^D sum_j W_ij of each particle of a grid, itself included, in the grid's order.
+/// h^D sum_j W_ij of each particle of a grid, itself included, in the grid's order. With
+/// `without_crowds`, NaN for those of a crowd in one place, whose volume says nothing.
 std::vector<double> kernel_sums(const NeighborGrid& grid, const SupportRadii& radii, int dimension,
-                                int threads) {
+                                int threads, bool without_crowds) {
     std::vector<double> sums(grid.size());
 #pragma omp parallel num_threads(threads > 0 ? threads : omp_get_max_threads())
     {
@@ -28,14 +30,18 @@ std::vector<double> kernel_sums(const NeighborGrid& grid, const SupportRadii& ra
             grid.find(place, found);
             double sum = cubic_spline(0.0);
             const double own = radii.of(grid.particle(place));
+            std::size_t crowd = 0;
             for (std::size_t n = 0; n < found.size(); ++n) {
                 const auto& to = found.displacements[n];
                 const double distance = std::sqrt(to[0] * to[0] + to[1] * to[1] + to[2] * to[2]);
                 const double other = radii.of(found.particles[n]);
+                crowd += distance < crowd_radius * own ? 1 : 0;
                 sum += std::pow(2 * other / (own + other), dimension) *
                        cubic_spline(2 * distance / (own + other));
             }
-            sums[place] = kernel_scale(dimension) * sum;
+            sums[place] = without_crowds && crowd > usual_max_crowd
+                              ? std::numeric_limits<double>::quiet_NaN()
+                              : kernel_scale(dimension) * sum;
         }
     }
     return sums;
@@ -60,8 +66,12 @@ double measured_spacing_ratio(const Snapshot& snapshot, const SupportRadii& radi
     const double root = 1.0 / snapshot.dimension;
     if (snapshot.particle_volume && !radii.vary())
         return radii.max / std::pow(*snapshot.particle_volume, root);
-    auto sums = kernel_sums(NeighborGrid(snapshot.positions, radii, {&valid, nullptr}, threads),
-                            radii, snapshot.dimension, threads);
+    const NeighborGrid grid(snapshot.positions, radii, {&valid, nullptr}, threads);
+    auto sums = kernel_sums(grid, radii, snapshot.dimension, threads, true);
+    sums.erase(std::remove_if(sums.begin(), sums.end(), [](double sum) { return std::isnan(sum); }),
+               sums.end());
+    if (sums.empty())
+        sums = kernel_sums(grid, radii, snapshot.dimension, threads, false);
     if (sums.empty())
         return 1;
     const auto quartile = sums.begin() + static_cast<std::ptrdiff_t>(sums.size() * 3 / 4);
@@ -89,7 +99,7 @@ BoundaryWeights boundary_weights(const Snapshot& snapshot, const SupportRadii& r
     check_boundary(snapshot);
     const double fluid = std::pow(spacing_ratio, snapshot.dimension); // h^D / V_0
     const NeighborGrid grid(snapshot.boundary, weights.radius, {}, threads);
-    const auto sums = kernel_sums(grid, weights.radius, snapshot.dimension, threads);
+    const auto sums = kernel_sums(grid, weights.radius, snapshot.dimension, threads, false);
     weights.at_radius.resize(snapshot.boundary.size());
     for (std::size_t place = 0; place < sums.size(); ++place)
         weights.at_radius[grid.particle(place)] = fluid / sums[place];

@@ -41,7 +41,8 @@ struct Snapshot {
     Positions positions;
     Precision position_precision = Precision::float64; ///< type that positions are written in
     std::vector<PointArray> point_data;                ///< names are unique
-    Positions boundary; ///< wall particles of the state; empty where none are known
+    Positions boundary; ///< wall particles and periodic copies, which cover; may be empty
+    bool dimension_is_stated = false;       ///< by the file, else it is what the positions suggest
     std::optional<double> support_radius;   ///< kernel radius h in m
     std::optional<double> particle_spacing; ///< initial distance of particles in m
     std::optional<double> particle_volume;  ///< of a particle at rest, m^3 (in 2D m^2)
@@ -50,6 +51,8 @@ struct Snapshot {
     /// What made the data, as text by name (group `/meniscus` of the file). Never a date, a host,
     /// a path or a thread count: the same input and options give the same bytes.
     std::map<std::string, std::string> provenance;
+    /// What a reader had to decide or leave out, for whoever reads the file; never written.
+    std::vector<std::string> notes;
 
     [[nodiscard]] std::size_t size() const { return positions.size(); }
 };

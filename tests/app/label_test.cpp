@@ -141,7 +141,7 @@ TEST_F(Label, WarnsOfAnImplausibleSupportRadius) {
                             "--samples", "50", "--support-radius", "0.55", "--quiet"});
     EXPECT_EQ(outcome.status, 0);
     expect_one_line(outcome.errors);
-    expect_mentions(outcome.errors, {"warning", "neighbor count", "support radius"});
+    expect_mentions(outcome.errors, {"warning", "support radius is 1.", "times", "1.6 to 5"});
 }
 
 TEST_F(Label, SaysWhereSinglePrecisionLosesThePositions) {

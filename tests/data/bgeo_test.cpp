@@ -237,13 +237,18 @@ TEST_F(Bgeo, CountsThatNoFileHoldsAreRefused) {
 }
 
 TEST_F(Bgeo, MoreThanPointsIsRefused) {
-    for (const std::size_t which : {1, 2, 3, 5, 6}) {
+    for (const std::size_t which : {2, 3, 5, 6}) {
         Counts counts = {3, 0, 0, 0, 4, 0, 0, 1};
         counts[which] = 1;
         Pieces all = pieces();
         all[0] = header(counts);
         expect_mentions(error_in(joined(all)), {"header", "points alone"});
     }
+    Pieces all = pieces();
+    all[0] = header({3, 2, 0, 0, 4, 0, 0, 1});
+    expect_mentions(error_in(joined(all)), {"header", "2 primitives"});
+    all[0] = header({3, 1, 0, 0, 4, 0, 0, 1}); // whose type is missing
+    expect_mentions(error_in(joined(all)), {"primitive", "particles, type 32768"});
 }
 
 TEST_F(Bgeo, OtherVersionsAndTypesAreRefused) {

@@ -210,10 +210,41 @@ TEST_F(Csv, WrongCellsAreNamed) {
     expect_mentions(message(std::string("x,y\n1,\0\n", 8)), {"line 2, column 'y'", "'?'"});
 }
 
+TEST_F(Csv, OfColumnsThatMeanTheSameTheLikeliestCounts) {
+    const Snapshot snapshot = read("x,y,Idp,id,rhop,rho\n1,2,3,4,5,6\n");
+    EXPECT_EQ(values(snapshot, "id"), integers({4}));
+    EXPECT_EQ(values(snapshot, "Idp"), integers({3}));
+    EXPECT_EQ(values(snapshot, "density"), reals({6}));
+    EXPECT_EQ(values(snapshot, "rhop"), integers({5}));
+}
+
+TEST_F(Csv, SpareColumnsWithEmptyCellsAreLeftOut) {
+    for (const char* rows : {"1,2,,7\n4,5,6,8\n", "1,2,3,7\n4,5,,8\n"}) {
+        const Snapshot snapshot = read(std::string("x,y,Type,Mk\n") + rows);
+        EXPECT_EQ(names(snapshot), (std::vector<std::string>{"Mk"}));
+        ASSERT_EQ(snapshot.notes.size(), 1U);
+        expect_mentions(snapshot.notes[0], {"empty cells", "'Type'"});
+    }
+}
+
+TEST_F(Csv, ALastLineWithoutItsBreakIsReadWhereNothingCanBeCut) {
+    const std::string decimals = "x,y\n0.25,0.50\n0.50,0.75\n0.75,0.25\n";
+    EXPECT_EQ(read(decimals + "1.25,0.25").size(), 4U);
+    expect_mentions(message(decimals + "1.25,0.2"), {"line 5", "line break"});
+    const std::string numbers = "x,y,id\n0.25,0.5,8\n0.5,0.75,9\n0.75,0.25,10\n";
+    EXPECT_EQ(read(numbers + "1.25,0.25,11").size(), 4U);
+    expect_mentions(message(numbers + "1.25,0.25,1"), {"line 5", "line break"});
+}
+
+TEST_F(Csv, ReadsWhatHoudiniWrites) {
+    const Snapshot snapshot = read("P.x,P.y,P.z,v.x,v.y,v.z,id\n1,2,3,4,5,6,7\n");
+    EXPECT_EQ(snapshot.positions, (Positions{{1, 2, 3}}));
+    EXPECT_EQ(values(snapshot, "velocity"), reals({4, 5, 6}));
+}
+
 TEST_F(Csv, WrongHeadersAreNamed) {
     expect_mentions(message("x,y,a,b,a\n1,2,3,4,5\n"), {"line 1, column 'a'", "same name"});
     expect_mentions(message("x,y,x\n1,2,3\n"), {"line 1, column 'x'", "same name"});
-    expect_mentions(message("x,y,id,Idp\n1,2,3,4\n"), {"line 1, column 'id'", "several"});
     expect_mentions(message("x,y,velocity,vx,vy\n1,2,3,4,5\n"), {"column 'velocity'", "several"});
     expect_mentions(message("\n\ny,z,rho\n1,2,3\n"), {"line 3", "'y', 'z', 'rho'"});
     expect_mentions(message("a,b\n1,2\n"), {"line 2", "'x,y,z'"});

@@ -212,7 +212,7 @@ TEST_F(LegacyVtk, WrongArraysAreNamed) {
     expect_mentions(message("POINT_DATA 2\nFIELD f 1\nmass 1 3 float\n123456789012\n"),
                     {"'mass'", "2 tuples", "found 3"});
     expect_mentions(message("POINT_DATA 2\nFIELD f 1\nmass 0 2 float\n"), {"'mass'", "components"});
-    expect_mentions(message("POINT_DATA 2\nFIELD f 1\nmass 1 2 string\n"), {"'mass'", "'string'"});
+    expect_mentions(message("POINT_DATA 2\nFIELD f 1\nmass 1 2 string\n"), {"'mass'", "2 texts"});
     expect_mentions(message("POINT_DATA 2\nHYPERTREES c 3\n123456\n"), {"'HYPERTREES c 3'"});
     expect_mentions(message("POINT_DATA 3\n"), {"POINT_DATA", "2 tuples", "found 3"});
     expect_mentions(message("SCALARS id int\n"), {"POINT_DATA", "'SCALARS id int'"});

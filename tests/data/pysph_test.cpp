@@ -153,7 +153,7 @@ TEST_F(Pysph, NoSupportRadiusIsMadeUp) {
     EXPECT_FALSE(read_snapshot(file).support_radius);
 }
 
-TEST_F(Pysph, CopiesOfOtherProcessesAndGhostsAreLeftOut) {
+TEST_F(Pysph, CopiesOfOtherProcessesAreLeftOutAndGhostsCover) {
     for (const char* array : {"fluid", "boundary"}) {
         std::vector<double> tags(positions_in(file, array).size());
         tags[0] = 1; // another process's
@@ -161,12 +161,16 @@ TEST_F(Pysph, CopiesOfOtherProcessesAndGhostsAreLeftOut) {
         put(array + std::string("/arrays/tag"), tags);
     }
     const Snapshot snapshot = read_snapshot(file);
-    for (const bool of_fluid : {true, false}) {
-        Positions real = positions_in(file, of_fluid ? "fluid" : "boundary");
-        real.erase(real.begin() + 2);
-        real.erase(real.begin());
-        EXPECT_EQ(of_fluid ? snapshot.positions : snapshot.boundary, real);
-    }
+    Positions fluid = positions_in(file, "fluid");
+    Positions walls = positions_in(file, "boundary");
+    Positions boundary = {fluid[2]}; // the fluid's ghost, the walls, and their ghost
+    boundary.insert(boundary.end(), walls.begin() + 3, walls.end());
+    boundary.insert(boundary.begin() + 1, walls[1]);
+    boundary.push_back(walls[2]);
+    fluid.erase(fluid.begin() + 2);
+    fluid.erase(fluid.begin());
+    EXPECT_EQ(snapshot.positions, fluid);
+    EXPECT_EQ(snapshot.boundary, boundary);
     auto density = values_in(file, "/particles/fluid/arrays/rho");
     density.erase(density.begin() + 2);
     density.erase(density.begin());
@@ -220,13 +224,30 @@ TEST_F(Pysph, WallsAreToldByTheirNames) {
         EXPECT_EQ(snapshot.size(), fluid) << wall;
         EXPECT_EQ(snapshot.boundary.size(), other) << wall;
     }
-    for (const char* liquid : {"oil", "tank_water", "block"}) {
+    for (const char* liquid : {"oil", "tank_water", "inlet", "block"}) {
         move(("/particles/" + name).c_str(), ("/particles/" + std::string(liquid)).c_str());
         name = liquid;
+        if (name == "block")
+            break;
         const Snapshot snapshot = read_snapshot(file);
         EXPECT_EQ(snapshot.size(), fluid + other) << liquid;
         EXPECT_TRUE(snapshot.boundary.empty()) << liquid;
+        EXPECT_EQ(find_array(snapshot, "phase") == nullptr, name == "inlet") << liquid;
     }
+    expect_mentions(reading_error(), {"/particles/block", "--fluid block", "--walls block"});
+    ReadChoices choices;
+    choices.walls = {"block"};
+    EXPECT_EQ(read_snapshot(file, choices).boundary.size(), other);
+    choices = {};
+    choices.fluid = {"block"};
+    EXPECT_EQ(read_snapshot(file, choices).size(), other);
+    choices = {};
+    choices.ignored = {"block"};
+    EXPECT_EQ(read_snapshot(file, choices).size(), fluid);
+    EXPECT_TRUE(read_snapshot(file, choices).boundary.empty());
+    choices.ignored = {"brick"};
+    expect_mentions(error_of<InputError>([&] { read_snapshot(file, choices); }),
+                    {"'brick'", "block, fluid"});
     put("block/arrays/body_id", std::vector<double>(other, 0)); // which rigid bodies have
     EXPECT_EQ(read_snapshot(file).boundary.size(), other);
 }

@@ -1,5 +1,6 @@
 #include "csv_cells.hpp"
 
+#include <meniscus/data/text/cut_numbers.hpp>
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/text.hpp>
 
@@ -89,10 +90,44 @@ std::vector<std::string> names_of(std::string_view line, char separator) {
     return names;
 }
 
-void check_end(Source source) {
+namespace {
+
+/// The last cell of a line; empty where it is none.
+std::string_view last_cell(std::string_view line, char separator) {
+    Cells cells{line, separator};
+    std::optional<std::string_view> cell;
+    while (cells.more && (cell = take_cell(cells))) {
+    }
+    return cell.value_or("");
+}
+
+/// Where the last line has all its cells and the last of them its digits, as the lines before show,
+/// nothing is cut.
+bool is_whole(std::string_view text, char separator) {
+    std::vector<std::string_view> last_cells;
+    for (int lines = 0; lines < 20 && !text.empty(); ++lines) {
+        const std::size_t begin = text.find_last_of('\n') + 1;
+        std::string_view line = text.substr(begin);
+        if (!line.empty() && line.back() == '\r')
+            line.remove_suffix(1);
+        last_cells.insert(last_cells.begin(), last_cell(line, separator));
+        text = text.substr(0, begin == 0 ? 0 : begin - 1);
+    }
+    if (last_cells.size() < 4)
+        return false;
+    const std::string_view last = last_cells.back();
+    last_cells.pop_back();
+    last_cells.erase(last_cells.begin()); // which may be the header's
+    return !last.empty() && !may_be_cut(last, last_cells);
+}
+
+} // namespace
+
+void check_end(Source source, char separator) {
     const std::size_t last = source.rest.find_last_of('\n') + 1;
-    if (source.rest.find_first_not_of(" \r", last) != std::string_view::npos) {
-        source.line =
+    if (source.rest.find_first_not_of(" \r", last) != std::string_view::npos &&
+        !is_whole(source.rest, separator)) {
+        source.line +=
             static_cast<std::size_t>(std::count(source.rest.begin(), source.rest.end(), '\n') + 1);
         fail(source, "", "a line break at its end",
              "none; export the file again if it is cut, else add the line break");

@@ -25,8 +25,8 @@ Source source_of(const std::filesystem::path& file, std::string_view bytes);
 [[noreturn]] void fail(const Source& source, const std::string& column, const std::string& expected,
                        const std::string& found);
 
-/// Fails where the last line of the source does not end: it may be cut within a number.
-void check_end(Source source);
+/// Fails where the last line of the source does not end and may be cut within a number.
+void check_end(Source source, char separator);
 
 /// The next line without its end and spaces around it.
 std::string_view take_line(Source& source);

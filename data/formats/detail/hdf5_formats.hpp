@@ -2,6 +2,7 @@
 // one is its file, with a function that is declared here, and its place in the list.
 #pragma once
 
+#include <meniscus/data/formats/read_choices.hpp>
 #include <meniscus/data/hdf5/hdf5_source.hpp>
 
 namespace meniscus {
@@ -9,15 +10,17 @@ namespace meniscus {
 struct Hdf5Format {
     const char* name; ///< as messages give it
     bool (*holds)(const Hdf5Source& source);
-    Snapshot (*read)(const Hdf5Source& source);
+    Snapshot (*read)(const Hdf5Source& source, const ReadChoices& choices);
 };
 
 Hdf5Format vtkhdf_format();
 Hdf5Format pysph_format();
+Hdf5Format gadget_format();
+Hdf5Format h5part_format();
 
 /// In the order in which a file is tried.
 inline std::vector<Hdf5Format> hdf5_formats() {
-    return {vtkhdf_format(), pysph_format()};
+    return {vtkhdf_format(), pysph_format(), gadget_format(), h5part_format()};
 }
 
 } // namespace meniscus

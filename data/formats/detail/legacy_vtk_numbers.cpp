@@ -1,5 +1,6 @@
 #include "legacy_vtk_numbers.hpp"
 
+#include <meniscus/data/text/cut_numbers.hpp>
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/text.hpp>
 
@@ -42,15 +43,14 @@ ArrayValues decode_bits(std::string_view block, std::size_t count) {
     return values;
 }
 
-/// The next word; empty where the file ends before or with it. Programs end a file with a line
-/// break, so a number that ends with the file may have lost digits.
+/// The next word; empty where the file ends before it.
 std::string_view take_word(Source& source) {
     const std::string_view rest = source.rest;
     const auto begin = std::find_if_not(rest.begin(), rest.end(), is_space);
     const auto end = std::find_if(begin, rest.end(), is_space);
     source.rest.remove_prefix(static_cast<std::size_t>(end - rest.begin()));
-    const auto length = end == rest.end() ? 0 : static_cast<std::size_t>(end - begin);
-    return rest.substr(static_cast<std::size_t>(begin - rest.begin()), length);
+    return rest.substr(static_cast<std::size_t>(begin - rest.begin()),
+                       static_cast<std::size_t>(end - begin));
 }
 
 [[noreturn]] void fail_at_value(const Source& source, const std::string& section,
@@ -67,10 +67,15 @@ template <class Number>
 ArrayValues parse(Source& source, const std::string& section, std::string_view type,
                   std::size_t count) {
     std::vector<Number> values(count);
+    std::vector<std::string_view> last_words;
     for (std::size_t i = 0; i < count; ++i) {
-        const std::string_view word = take_word(source);
+        std::string_view word = take_word(source);
+        if (source.rest.empty() && may_be_cut(word, last_words))
+            word = {};
         if (read_number(word, values[i]) != std::errc())
             fail_at_value(source, section, type, i, count, word);
+        if (i + 20 > count)
+            last_words.push_back(word);
     }
     return values;
 }
@@ -174,6 +179,31 @@ const ScalarType& parse_type(const Source& source, const std::string& section,
     if (type == std::end(scalar_types))
         fail(source, section, "a number type such as float or unsigned_int", shown({word}));
     return *type;
+}
+
+std::vector<std::string> take_texts(Source& source, const std::string& section,
+                                    std::uint64_t count) {
+    std::vector<std::string> texts;
+    for (std::uint64_t i = 0; i < count; ++i) {
+        if (source.rest.empty())
+            fail(source, section, std::to_string(count) + " texts", shown({}));
+        if (!source.binary) {
+            const std::string_view line = take_line(source);
+            texts.emplace_back(line.substr(0, line.find('\r')));
+            continue;
+        }
+        // A length whose first two bits say of how many bytes it is, the rest being big endian.
+        const auto first = static_cast<unsigned char>(source.rest[0]);
+        const std::size_t bytes = std::size_t{1} << (3 - first / 64);
+        std::uint64_t length = first % 64;
+        for (std::size_t b = 1; b < bytes && b < source.rest.size(); ++b)
+            length = length * 256 + static_cast<unsigned char>(source.rest[b]);
+        if (bytes > source.rest.size() || length > source.rest.size() - bytes)
+            fail(source, section, "a text of " + std::to_string(length) + " bytes", shown({}));
+        texts.emplace_back(source.rest.substr(bytes, length));
+        source.rest.remove_prefix(bytes + length);
+    }
+    return texts;
 }
 
 ArrayValues take_values(Source& source, const std::string& section, std::uint64_t tuples,

@@ -64,6 +64,10 @@ struct ScalarType {
 const ScalarType& parse_type(const Source& source, const std::string& section,
                              const std::string& word);
 
+/// The next `count` texts: lines in ASCII files, lengths and bytes in binary ones.
+std::vector<std::string> take_texts(Source& source, const std::string& section,
+                                    std::uint64_t count);
+
 /// The next `tuples` times `components` values. Fails where the rest of the file cannot hold them,
 /// and where text is no number that the type can hold.
 ArrayValues take_values(Source& source, const std::string& section, std::uint64_t tuples,
