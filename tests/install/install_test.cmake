@@ -73,6 +73,13 @@ if(TRAINER)
     expect_mention("${module}" "${prefix}")
 endif()
 
+# The Python module, with the models that it ships.
+if(PYTHON)
+    run(printed ${CMAKE_COMMAND} -E env PYTHONPATH=${prefix}/${PYTHON_FOLDER} ${PYTHON} -B -c
+        "import meniscus; print(meniscus.__file__, meniscus.Line.shipped(2, 2))")
+    expect_mention("${printed}" "${prefix}/${PYTHON_FOLDER}/meniscus/__init__.py y <=")
+endif()
+
 # A solver that uses the headers, with coefficients exported for it by the installed command; one
 # that writes, labels and reads snapshots; and the headers out of the source tree.
 run(ignored ${meniscus} export ${WORK}/demo/model.json -o ${WORK}/exported.hpp --name Exported)

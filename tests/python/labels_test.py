@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
 """Neighbor lists, features and labels are those of the command, bit for bit."""
 import threading
-import unittest
 
-from support import DROPLET, SAMPLES, SOURCE, CommandTest, lattice, meniscus, np
+from support import DROPLET, SAMPLES, SOURCE, CommandTest, lattice, main, meniscus, np
 
 
 class Labels(CommandTest):
@@ -27,8 +26,19 @@ class Labels(CommandTest):
                            self.labelled(DROPLET, "--samples", 500, "--seed", 7))
 
     def test_boundary_and_two_dimensions(self):
-        file = SOURCE / "tests/data/samples/pysph_dam_break.hdf5"
-        self.expect_labels(meniscus.label(meniscus.read(file)), self.labelled(file))
+        for scene in "resting_tank", "dam_break_2d":
+            file = self.first_state(scene)
+            state = meniscus.read(file)
+            self.assertGreater(len(state.boundary), 0)
+            self.expect_labels(meniscus.label(state), self.labelled(file))
+            self.expect_labels(meniscus.label(state, boundary_weight=0.5),
+                               self.labelled(file, "--boundary-weight", 0.5))
+
+    def test_radii_that_vary(self):
+        places = lattice(10)
+        state = meniscus.Snapshot(places, support_radius=2 + 0.01 * places[:, 0])
+        meniscus.write(state, self.folder / "two.vtkhdf")
+        self.expect_labels(meniscus.label(state), self.labelled(self.folder / "two.vtkhdf"))
 
     def test_a_written_file_is_that_of_the_command(self):
         file = self.labelled()
@@ -127,4 +137,4 @@ class Refusals(CommandTest):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    main()

@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
 """Lines are trained, judged, exported and applied as by the command, to the same bytes."""
 import json
-import unittest
 
-from support import DROPLET, SAMPLES, SOURCE, CommandTest, lattice, meniscus, np
+from support import DROPLET, SAMPLES, SOURCE, CommandTest, lattice, main, meniscus, np
 
 OTHER = SAMPLES / "droplet_iisph_01.vtkhdf"
 
@@ -110,4 +109,4 @@ class Refusals(CommandTest):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    main()

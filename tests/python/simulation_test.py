@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
 """A scene that runs in Python comes to the same bits as by the command."""
 import json
-import unittest
 
-from support import SOURCE, CommandTest, meniscus, np
+from support import SOURCE, CommandTest, main, meniscus, np
 
 STEP = 1 / 1024 # frames are then at times without rounding
 
@@ -65,4 +64,4 @@ class Simulations(CommandTest):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    main()

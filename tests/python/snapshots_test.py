@@ -1,8 +1,7 @@
 #!/usr/bin/env python3
 """Snapshots: files come and go as in C++, and what cannot be one is refused."""
-import unittest
 
-from support import SAMPLES, SOURCE, CommandTest, lattice, meniscus, np
+from support import SAMPLES, SOURCE, CommandTest, lattice, main, meniscus, np
 
 
 class Snapshots(CommandTest):
@@ -98,4 +97,4 @@ class Refusals(CommandTest):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    main()

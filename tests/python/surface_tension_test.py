@@ -1,10 +1,9 @@
 #!/usr/bin/env python3
 """A step finds what `meniscus classify` finds, bit for bit, and refuses what it cannot read."""
 import threading
-import unittest
 import warnings
 
-from support import DROPLET, SOURCE, CommandTest, lattice, meniscus, np
+from support import DROPLET, SOURCE, CommandTest, lattice, main, meniscus, np
 
 MODEL = SOURCE / "configs/models/surface_3d.json"
 FOUND = {"surface_class": "surface_class", "runtime_uncovered_fraction": "uncovered_fraction",
@@ -48,12 +47,20 @@ class Steps(CommandTest):
         self.expect_classified(state, 3, MODEL, {"paper": True, "coverage": "exact"})
 
     def test_boundary(self):
-        file = SOURCE / "tests/data/samples/pysph_dam_break.hdf5"
-        model = SOURCE / "configs/models/surface_2d_wide.json"
-        state = self.classify(file, model)
-        offsets, indices = meniscus.labels.boundary_neighbors(state)
-        self.expect_classified(state, 2, model, {}, boundary_positions=state.boundary,
-                               boundary_offsets=offsets, boundary_indices=indices)
+        for dimension, scene in (3, "resting_tank"), (2, "dam_break_2d"):
+            model = SOURCE / f"configs/models/surface_{dimension}d.json"
+            state = self.classify(self.first_state(scene), model, "--balance-momentum")
+            offsets, indices = meniscus.boundary_neighbors(state)
+            self.assertGreater(len(indices), 0)
+            self.expect_classified(state, dimension, model, {}, boundary_positions=state.boundary,
+                                   boundary_offsets=offsets, boundary_indices=indices,
+                                   balance_momentum=True)
+
+    def test_radii_that_vary(self):
+        places = lattice(10)
+        meniscus.write(meniscus.Snapshot(places, support_radius=2 + 0.01 * places[:, 0]),
+                       self.folder / "two.vtkhdf")
+        self.expect_classified(self.classify(self.folder / "two.vtkhdf", MODEL), 3, MODEL, {})
 
     def steps(self, *tensions):
         places = lattice(8)
@@ -115,7 +122,7 @@ class Steps(CommandTest):
         for force in found:
             self.assert_same(force, expected)
 
-    def test_masses_and_varying_radii(self):
+    def test_masses_and_equal_radii(self):
         places = lattice(8)
         lists = meniscus.neighbors(places, 2.0)
         tension = meniscus.SurfaceTension()
@@ -197,4 +204,4 @@ class Refusals(CommandTest):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    main()

@@ -12,7 +12,7 @@ The pipeline of the command `meniscus`, over NumPy arrays:
 0
 
 `read`, `write`: snapshots of any format that the command knows.
-`neighbors`, `features`, `label`: neighbor lists, features and ground truth.
+`neighbors`, `boundary_neighbors`, `features`, `label`: neighbor lists, features and ground truth.
 `Line`, `classify`: the line that finds candidates fast: trained, judged, exported, applied.
 `SurfaceTension`: normals, curvature and force in the step of a solver.
 `Simulation`: a scene, step by step.
@@ -24,7 +24,7 @@ number. What is wrong with an input raises `InputError` (a `ValueError`), what f
 """
 from ._meniscus import Error, FailureError, InputError
 from ._meniscus import version as __version__
-from .labels import Labels, feature_meanings, features, label, neighbors
+from .labels import Labels, boundary_neighbors, feature_meanings, features, label, neighbors
 from .lines import Classes, Line, classify
 from .simulation import Simulation, StepReport
 from .snapshots import Snapshot, read, write
@@ -32,6 +32,6 @@ from .surface import Surface, SurfaceTension, surface_options
 
 __all__ = [
     "Classes", "Error", "FailureError", "InputError", "Labels", "Line", "Simulation", "Snapshot",
-    "StepReport", "Surface", "SurfaceTension", "classify", "feature_meanings", "features", "label",
-    "neighbors", "read", "surface_options", "write",
+    "StepReport", "Surface", "SurfaceTension", "boundary_neighbors", "classify", "feature_meanings",
+    "features", "label", "neighbors", "read", "surface_options", "write",
 ]
