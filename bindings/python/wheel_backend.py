@@ -7,6 +7,7 @@ already in place of one of its own, build/wheel.
 """
 import base64
 import hashlib
+import os
 import re
 import subprocess
 import sys
@@ -19,6 +20,7 @@ SOURCE = Path(__file__).resolve().parents[2]
 VERSION = re.search(r'MENISCUS_VERSION "([\d.]+)"', (SOURCE / "runtime/version.hpp").read_text())[1]
 TAG = "cp{0}{1}-cp{0}{1}-{2}".format(*sys.version_info[:2],
                                      re.sub(r"[-.]", "_", sysconfig.get_platform()))
+INFO = f"meniscus-{VERSION}.dist-info"
 METADATA = f"""\
 Metadata-Version: 2.1
 Name: meniscus
@@ -48,8 +50,8 @@ def installed_package(build, prefix):
     """The package's folder below the prefix, after CMake has built and installed it there."""
     if not (build / "CMakeCache.txt").exists():
         configure(build)
-    subprocess.run(["cmake", "--build", build, "--target", "meniscus_python", "--parallel"],
-                   check=True)
+    subprocess.run(["cmake", "--build", build, "--target", "meniscus_python", "--parallel",
+                    str(os.cpu_count())], check=True)
     subprocess.run(["cmake", "--install", build, "--component", "python", "--prefix", prefix],
                    check=True)
     compiled = "_meniscus" + sysconfig.get_config_var("EXT_SUFFIX")
@@ -64,19 +66,27 @@ def record_line(name, content):
     return f"{name},sha256={digest},{len(content)}\n"
 
 
+def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
+    """Writes what is known without a build into the folder, and returns its place there."""
+    folder = Path(metadata_directory) / INFO
+    folder.mkdir()
+    (folder / "METADATA").write_text(METADATA)
+    (folder / "WHEEL").write_text(WHEEL)
+    return INFO
+
+
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     """Writes the wheel into the folder and returns its name."""
     build = Path((config_settings or {}).get("build-folder", SOURCE / "build/wheel")).resolve()
     name = f"meniscus-{VERSION}-{TAG}.whl"
-    info = f"meniscus-{VERSION}.dist-info"
     with tempfile.TemporaryDirectory() as prefix:
         package = installed_package(build, prefix)
         files = {file.relative_to(package.parent).as_posix(): file.read_bytes()
                  for file in sorted(package.rglob("*")) if file.is_file()}
-    files[f"{info}/METADATA"] = METADATA.encode()
-    files[f"{info}/WHEEL"] = WHEEL.encode()
-    record = "".join(record_line(*file) for file in files.items()) + f"{info}/RECORD,,\n"
-    files[f"{info}/RECORD"] = record.encode()
+    files[f"{INFO}/METADATA"] = METADATA.encode()
+    files[f"{INFO}/WHEEL"] = WHEEL.encode()
+    record = "".join(record_line(*file) for file in files.items()) + f"{INFO}/RECORD,,\n"
+    files[f"{INFO}/RECORD"] = record.encode()
     with zipfile.ZipFile(Path(wheel_directory) / name, "w", zipfile.ZIP_DEFLATED) as wheel:
         for file, content in files.items():
             wheel.writestr(file, content)
