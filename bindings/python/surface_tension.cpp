@@ -1,5 +1,6 @@
 // Surface tension in the step of a solver in Python, over its own arrays.
 #include "arrays.hpp"
+#include "list_checks.hpp"
 #include "module.hpp"
 
 #include <pybind11/stl.h>
@@ -88,30 +89,6 @@ SurfaceTensionOptions options_from(const py::dict& given, const std::optional<Mo
 void demand(bool holds, const std::string& what) {
     if (!holds)
         throw InputError(what);
-}
-
-template <class Offset>
-void check_offsets(const Offset* offsets, std::size_t rows, std::size_t entries,
-                   const std::string& name) {
-    for (std::size_t i = 0; i < rows; ++i)
-        demand(offsets[i] <= offsets[i + 1],
-               name + "[" + std::to_string(i + 1) + "] is smaller than the one before");
-    demand(offsets[rows] <= entries, name + " ends with " + std::to_string(offsets[rows]) +
-                                         ", more than the number of indices, " +
-                                         std::to_string(entries));
-}
-
-void check_indices(const std::uint32_t* indices, std::size_t entries, std::size_t particles,
-                   const std::string& name) {
-    std::uint32_t max = 0; // first, as a loop without a branch is the faster one
-    for (std::size_t n = 0; n < entries; ++n)
-        max = std::max(max, indices[n]);
-    if (entries == 0 || max < particles)
-        return;
-    const std::size_t place =
-        static_cast<std::size_t>(std::find(indices, indices + entries, max) - indices);
-    throw InputError(name + "[" + std::to_string(place) + "] is " + std::to_string(max) +
-                     ", expected a particle below " + std::to_string(particles));
 }
 
 /// Signed and unsigned integers of one size have the same bits below 2^31, and what is negative
@@ -259,23 +236,14 @@ StepArrays step_arrays(const py::dict& given, int dimension) {
     return arrays;
 }
 
-void check_rows(const void* offsets, const std::uint32_t* indices, bool wide, std::size_t rows,
-                std::size_t entries, std::size_t particles, const std::string& prefix) {
-    const std::string name = prefix + "offsets";
-    if (wide)
-        check_offsets(static_cast<const std::uint64_t*>(offsets), rows, entries, name);
-    else
-        check_offsets(static_cast<const std::uint32_t*>(offsets), rows, entries, name);
-    check_indices(indices, entries, particles, prefix + "indices");
-}
-
-/// A wrong index would be read from memory that is not the arrays'.
-void check_lists_exist(const StepArrays& arrays) {
+void check_all_lists(const StepArrays& arrays) {
     const StepParticles& of = arrays.particles;
-    check_rows(of.offsets, of.neighbors, of.wide_offsets, of.count, arrays.entries, of.count, "");
+    check_lists_exist(
+        {of.offsets, of.wide_offsets, of.count, of.neighbors, arrays.entries, of.count}, "");
     if (of.boundary_positions != nullptr)
-        check_rows(of.boundary_offsets, of.boundary_neighbors, of.wide_offsets, of.count,
-                   arrays.boundary_entries, arrays.boundary_count, "boundary_");
+        check_lists_exist({of.boundary_offsets, of.wide_offsets, of.count, of.boundary_neighbors,
+                           arrays.boundary_entries, arrays.boundary_count},
+                          "boundary_");
 }
 
 template <class Real>
@@ -385,7 +353,7 @@ private:
     py::dict step_in(const py::dict& given, bool balanced) {
         const StepArrays arrays = step_arrays<Real>(given, dimension);
         FoundSurface<Real> found = alone([&] {
-            check_lists_exist(arrays);
+            check_all_lists(arrays);
             surface->step(arrays.particles);
             if (balanced)
                 surface->balance_momentum(arrays.particles);
@@ -405,7 +373,7 @@ private:
     void check_in(const py::dict& given) {
         const StepArrays arrays = step_arrays<Real>(given, dimension);
         alone([&] {
-            check_lists_exist(arrays);
+            check_all_lists(arrays);
             check_values<Real>(arrays, dimension);
             surface->check(arrays.particles);
         });
