@@ -2,12 +2,14 @@
 """The examples in Python run, and print what the command finds."""
 import importlib.util
 import json
+import os
 import re
 import subprocess
 import sys
 import unittest
+from pathlib import Path
 
-from support import SAMPLES, SOURCE, CommandTest, main, meniscus
+from support import SAMPLES, SOURCE, CommandTest, lattice, main, meniscus, np
 
 EXAMPLES = SOURCE / "examples/python"
 
@@ -50,6 +52,24 @@ class Examples(CommandTest):
         total = json.loads(self.command("audit", labelled[2], "--model", model, "--label-threshold",
                                         0.02, "--format", "json"))["total"]
         self.assertEqual(rows[0], (total["false_negatives"], total["false_positives"]))
+
+    def test_page(self):
+        """What docs/python.md and the README show in Python."""
+        dam = meniscus.read(SAMPLES / "dam_dfsph_01.vtkhdf", support_radius=0.1)
+        meniscus.write(dam, self.folder / "dam.vtk") # told by its content
+        positions = lattice(8)
+        known = {"meniscus": meniscus, "positions": positions, "h": 2.0, "spacing": 1.0,
+                 "masses": np.ones(len(positions)), "acceleration": np.zeros_like(positions)}
+        os.chdir(self.folder)
+        self.addCleanup(os.chdir, SOURCE)
+        blocks = [block for page in ("docs/python.md", "README.md") for block in
+                  re.findall(r"```python\n(.*?)```", (SOURCE / page).read_text(), re.DOTALL)]
+        self.assertEqual(len(blocks), 3)
+        for block in blocks:
+            exec(block, known)
+        self.assertIn("struct SurfaceCoefficients", Path("surface_coefficients.hpp").read_text())
+        self.assertGreater(abs(known["acceleration"]).max(), 0)
+        self.assertEqual(known["labels"].normal.shape, positions.shape)
 
     @needs("pysph", "pysph by pip")
     def test_pysph_equation(self):
