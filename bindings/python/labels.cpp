@@ -141,8 +141,8 @@ py::dict label(const py::object& object, const py::dict& given, bool wants_norma
                     "mean_neighbor_count"_a = mean, "warnings"_a = labels.warnings);
 }
 
-/// The labeler's own pass, so that the values are those that it stores; one direction a particle
-/// takes next to no time.
+/// The labeler's own pass, so that the values are those that it stores. It takes about as long as
+/// labels do.
 py::dict features(const py::object& object, py::dict given) {
     const Snapshot snapshot = snapshot_from_python(object);
     given["exact"] = false;
