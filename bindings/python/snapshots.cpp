@@ -8,9 +8,9 @@
 #include <meniscus/data/formats/snapshot_files.hpp>
 #include <meniscus/data/formats/vtkhdf.hpp>
 #include <meniscus/data/particles/particle_arrays.hpp>
+#include <meniscus/data/text/text.hpp>
 
-#include <algorithm>
-#include <cstring>
+#include <cmath>
 
 namespace meniscus {
 namespace {
@@ -93,6 +93,20 @@ std::optional<Value> optional_of(const py::handle& object, const char* name) {
     return object.attr(name).cast<std::optional<Value>>();
 }
 
+/// Two-dimensional states lie in a plane of constant z.
+void check_is_flat(const Positions& positions) {
+    std::optional<double> z;
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        if (!std::isfinite(positions[i][2]))
+            continue;
+        if (positions[i][2] != z.value_or(positions[i][2]))
+            throw InputError("dimension is 2, but particle " + std::to_string(i) +
+                             " has z = " + number_text(positions[i][2]) + " and others before it " +
+                             number_text(*z));
+        z = positions[i][2];
+    }
+}
+
 /// One radius for all where each particle has the same.
 void set_common_radius(Snapshot& snapshot) {
     if (snapshot.support_radius || find_array(snapshot, "support_radius") == nullptr)
@@ -117,6 +131,8 @@ Snapshot snapshot_from_python(const py::handle& object) {
     made.dimension = object.attr("dimension").cast<int>();
     if (made.dimension != 2 && made.dimension != 3)
         throw InputError("dimension must be 2 or 3, found " + std::to_string(made.dimension));
+    if (made.dimension == 2)
+        check_is_flat(made.positions);
     for (const auto& [name, values] : object.attr("arrays").cast<py::dict>())
         set_array(made, point_array(name.cast<std::string>(), values, made.size()));
     if (const py::object boundary = object.attr("boundary"); !boundary.is_none())

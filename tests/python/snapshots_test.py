@@ -89,6 +89,8 @@ class Refusals(CommandTest):
                     {"mass": np.ones(2)})
         self.refuse("array 'text' is of <U1, expected", np.zeros((1, 3)), {"text": ["a"]})
         self.refuse("boundary must have two or three", np.zeros((1, 3)), boundary=np.zeros(3))
+        self.refuse("dimension is 2, but particle 1 has z = 5.0 and others before it 2.0",
+                    np.arange(9.0).reshape(3, 3), dimension=2)
         self.refuse("dimension must be 2 or 3, found 4", np.zeros((1, 3)), dimension=4)
 
     def test_options_that_are_not_positive(self):
