@@ -141,14 +141,12 @@ py::dict label(const py::object& object, const py::dict& given, bool wants_norma
                     "mean_neighbor_count"_a = mean, "warnings"_a = labels.warnings);
 }
 
-/// The labeler's own pass, so that the values are those that it stores. It takes about as long as
-/// labels do.
-py::dict features(const py::object& object, py::dict given) {
+/// The labeler's own pass, so that the values are those that it stores.
+py::dict features(const py::object& object, const py::dict& given) {
     const Snapshot snapshot = snapshot_from_python(object);
-    given["exact"] = false;
-    given["samples"] = 1;
-    const LabelOptions options = label_options(given);
-    Labels labels =
+    LabelOptions options = label_options(given);
+    options.method = LabelMethod::features_only;
+    const Labels labels =
         unlocked([&] { return label_particles(snapshot, support_radii(snapshot), options); });
     return feature_arrays(labels, options);
 }
