@@ -106,7 +106,7 @@ Work prepare_work(const Snapshot& snapshot, const SupportRadii& radii,
     work.masses = checked_masses(snapshot, work.valid);
     work.spacing_ratio = measured_spacing_ratio(snapshot, work.radii, work.valid, options.threads);
     sort_particles(work, snapshot, options);
-    if (options.method == LabelMethod::exact)
+    if (options.method != LabelMethod::monte_carlo)
         return work;
     work.ids = integer_values(snapshot, "id", work.valid);
     work.scheme = sampling_scheme(options.scheme);
@@ -254,6 +254,8 @@ void label_particle(const Work& work, const Snapshot& snapshot, std::size_t plac
         gather<2>(work, place, i, center, workspace, labels);
     else
         gather<3>(work, place, i, center, workspace, labels);
+    if (work.method == LabelMethod::features_only)
+        return;
     labels.uncovered_fraction[i] = work.method == LabelMethod::exact
                                        ? exact_fraction(work, workspace)
                                        : sampled_fraction(work, i, workspace);

@@ -18,8 +18,9 @@
 namespace meniscus {
 
 /// How lambda is found: by the arcs that bound the uncovered part, or as the uncovered share of
-/// many directions.
-enum class LabelMethod { exact, monte_carlo };
+/// many directions. Or not at all, where only features are wanted: lambda is 0 then, and
+/// there is nothing for add_labels.
+enum class LabelMethod { exact, monte_carlo, features_only };
 
 struct LabelOptions {
     LabelMethod method = LabelMethod::exact;

@@ -73,6 +73,13 @@ if(TRAINER)
     expect_mention("${module}" "${prefix}")
 endif()
 
+# The Python module, with the models that it ships.
+if(PYTHON)
+    run(printed ${CMAKE_COMMAND} -E env PYTHONPATH=${prefix}/${PYTHON_FOLDER} ${PYTHON} -B -c
+        "import meniscus\nprint(meniscus.__file__, meniscus.Line.shipped(2, 2))")
+    expect_mention("${printed}" "${prefix}/${PYTHON_FOLDER}/meniscus/__init__.py y <=")
+endif()
+
 # A solver that uses the headers, with coefficients exported for it by the installed command; one
 # that writes, labels and reads snapshots; and the headers out of the source tree.
 run(ignored ${meniscus} export ${WORK}/demo/model.json -o ${WORK}/exported.hpp --name Exported)
@@ -87,6 +94,15 @@ build_consumer(snapshots -DCMAKE_PREFIX_PATH=${prefix})
 run(ignored ${WORK}/snapshots/snapshots ${WORK}/written.vtkhdf)
 run(printed ${meniscus} label ${WORK}/written.vtkhdf -o ${WORK}/labelled)
 expect_mention("${printed}" "1000 particles in 3D")
+
+# The examples as a project of their own.
+run(ignored ${CMAKE_COMMAND} -S ${SOURCE}/examples -B ${WORK}/examples -G ${GENERATOR}
+    -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_CXX_COMPILER=${CXX_COMPILER}
+    "-DCMAKE_CXX_FLAGS=${CXX_FLAGS}" -DCMAKE_C_COMPILER=${C_COMPILER} "-DCMAKE_C_FLAGS=${CXX_FLAGS}")
+foreach(example classify c_interface) # the others take longer to compile
+    run(ignored ${CMAKE_COMMAND} --build ${WORK}/examples --target example_${example})
+    run(ignored ${WORK}/examples/example_${example})
+endforeach()
 
 # The runtime alone, on a machine that has no library: inside another project, and installed by
 # itself, where nothing else is offered.

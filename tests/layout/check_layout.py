@@ -11,7 +11,8 @@ import re
 import sys
 from pathlib import Path
 
-# Which folders a folder may include from, besides itself. Data flows one way; nothing points back.
+# Which folders a folder may include from, besides itself. Data flows one way; nothing points back. A
+# folder in another one stands for itself.
 MAY_INCLUDE = {
     "runtime": set(),
     "data": {"runtime"},
@@ -19,10 +20,13 @@ MAY_INCLUDE = {
     "classifier": {"runtime", "data"},
     "sph": {"runtime", "data"},
     "bindings": {"runtime"},
+    "bindings/python": {"runtime", "data", "labeler", "classifier", "sph", "bindings", "app"},
     "app": {"runtime", "data", "labeler", "classifier", "sph", "bindings", "bench"},
     # Plain oracles lie in tests/reference.
     "bench": {"runtime", "data", "labeler", "classifier", "sph", "bindings", "tests"},
     "tests": {"runtime", "data", "labeler", "classifier", "sph", "bindings", "app", "bench"},
+    # What a user has installed.
+    "examples": {"runtime", "data", "labeler", "classifier", "bindings"},
 }
 # What a file's own folder does not hold is looked for here, as in compile_flags.txt.
 SEARCHED = ("include", "tests", "bench")
@@ -34,8 +38,9 @@ WRITTEN_BY_BUILD = {"all_headers.hpp", "readme_includes.hpp", "readme_lines.hpp"
 
 def sources(root):
     """All sources below the root, as paths relative to it."""
-    return sorted(path.relative_to(root) for folder in MAY_INCLUDE
-                  for path in (root / folder).rglob("*") if path.suffix in (".hpp", ".cpp", ".h", ".c"))
+    return sorted({path.relative_to(root) for folder in MAY_INCLUDE
+                   for path in (root / folder).rglob("*")
+                   if path.suffix in (".hpp", ".cpp", ".h", ".c")})
 
 
 def includes(root, path, errors):
@@ -54,6 +59,11 @@ def includes(root, path, errors):
             yield found[0].resolve().relative_to(root.resolve())
 
 
+def folder_of(path):
+    """The folder of the table that a file lies in, the innermost one."""
+    return max((folder for folder in MAY_INCLUDE if Path(folder) in path.parents), key=len)
+
+
 def unit(path):
     return path.with_suffix("")
 
@@ -65,8 +75,8 @@ def room(unit):
 
 def check_arrow(path, other, errors):
     """One file includes another: may it?"""
-    folder = path.parts[0]
-    if other.parts[0] != folder and other.parts[0] not in MAY_INCLUDE[folder]:
+    folder, of_other = folder_of(path), folder_of(other)
+    if of_other != folder and of_other not in MAY_INCLUDE[folder]:
         errors.append(f"{path} includes {other}, but {folder}/ may include only from "
                       f"{', '.join(sorted(MAY_INCLUDE[folder])) or 'itself'}")
     if "detail" in other.parts:

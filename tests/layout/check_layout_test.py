@@ -56,6 +56,12 @@ class CheckLayout(unittest.TestCase):
                      "data/text/cells.hpp": "#include <meniscus/data/formats/pysph.hpp>\n",
                      "data/formats/pysph.hpp": ""}, "a circle of rooms")
 
+    def test_arrow_out_of_a_folder_in_another(self):
+        self.assertEqual(errors_of({
+            "bindings/python/module.cpp": "#include <meniscus/data/formats/csv.hpp>\n"}), [])
+        self.expect({"bindings/c/interface.cpp": "#include <meniscus/data/formats/csv.hpp>\n"},
+                    "bindings/ may include only from")
+
     def test_arrow_between_folders(self):
         self.expect({"data/formats/csv.hpp": "#include <meniscus/sph/step/step.hpp>\n",
                      "sph/step/step.hpp": ""}, "data/ may include only from runtime")
