@@ -20,6 +20,7 @@ int main(int argument_count, char** arguments) {
                          surface_speed_tables(),
                          scene_tables(),
                          solver_tables(),
+                         contact_angle_tables(),
                          step_speed_tables(),
                          droplet_tables()});
 }

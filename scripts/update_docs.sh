@@ -5,7 +5,7 @@
 # sampling and normals Debian's python3-matplotlib, accuracy python3-h5py, too.
 # Usage: scripts/update_docs.sh [TABLES]   (default: all)
 # TABLES: accuracy, own-scenes (runs scenes for some ten minutes), speed, sampling, force,
-# surface-speed, normals, curvature, scenes, simulation, step-speed, hard-cases, hard-cases-solvers or
+# surface-speed, normals, curvature, scenes, simulation, contact-angles, step-speed, hard-cases, hard-cases-solvers or
 # speed-against-error (runs scenes, too)
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -104,6 +104,9 @@ if wanted simulation; then
         coalescence oscillation; do
         print $table simulation
     done
+fi
+if wanted contact-angles; then
+    print contact-angles walls
 fi
 if wanted step-speed; then
     print stages simulation

@@ -61,6 +61,7 @@ TableGroup force_tables();
 TableGroup surface_speed_tables();
 TableGroup scene_tables();
 TableGroup solver_tables();
+TableGroup contact_angle_tables();
 TableGroup step_speed_tables();
 TableGroup droplet_tables();
 
