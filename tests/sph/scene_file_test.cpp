@@ -262,6 +262,8 @@ TEST_F(SceneFile, NamesWhatIsOutOfRange) {
         {"/walls", {1}},
         {"/walls/0/box/open", {{"x"}, {"+x", "+x"}, {1}, {"-x", "+x", "-y", "+y", "-z", "+z"}}},
         {"/walls/2/mesh/scale", {0, -1, huge}},
+        {"/walls/0/contact_angle", {0, 9, 171, "90"}},
+        {"/leaving", {"go", 1}},
         {"/domain/high", {{-60, 1, 1}}},
         {"/kernel", {"cubic", 1}},
         {"/pressure/solver", {"sph", 1}},

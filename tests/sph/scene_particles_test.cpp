@@ -46,6 +46,38 @@ TEST(SceneParticles, BoxHoldsParticlesInTheMiddleOfItsCells) {
     EXPECT_NEAR(particles.positions.back()[1], 0.15, 1e-12);
 }
 
+TEST(SceneParticles, BodiesThatOverlapAreRefusedWhateverTheirLattices) {
+    const BoxShape box{{0, 0, 0}, {1, 1, 1}, {}};
+    for (const double shift : {0.02, 0.05, 0.03}) {
+        SCOPED_TRACE(shift);
+        const BoxShape other{{0.5 + shift, 0.5 + shift, 0.5 + shift}, {1.5, 1.5, 1.5}, {}};
+        expect_mentions(error_from(scene_with({{box, {}}, {other, {}}})),
+                        {"scene 'some'", "fluid[0]", "fluid[1]", "spacings apart", "move them"});
+    }
+    const BoxShape beside{{1, 0.03, 0.02}, {2, 1, 1}, {}};
+    EXPECT_EQ(error_from(scene_with({{box, {}}, {beside, {}}})), "");
+    const SphereShape disk{{0.5, 0.5, 0}, {0.3, 0.3, 0}};
+    expect_mentions(error_from(scene_with({{box, {}}, {disk, {}}}, 2)), {"fluid[0]", "fluid[1]"});
+}
+
+TEST(SceneParticles, FluidInAWallIsRefused) {
+    Scene scene = scene_with({{BoxShape{{0.05, 0.05, 0.05}, {1.05, 1.05, 1.05}, {}}, {}}});
+    scene.walls = {BoxShape{{0, 0, 0}, {1.1, 2, 1.1}, {"+y"}}};
+    EXPECT_EQ(error_from(scene), "");
+    scene.walls.push_back(SphereShape{{0.5, 0.5, 0.5}, {0.2, 0.2, 0.2}});
+    expect_mentions(error_from(scene), {"fluid[0]", "walls[1]", "spacings apart", "in the wall"});
+}
+
+TEST(SceneParticles, WallsHaveTheirContactAngles) {
+    Scene scene = scene_with({{BoxShape{{0.05, 0.05, 0.05}, {1.05, 1.05, 1.05}, {}}, {}}});
+    scene.walls = {BoxShape{{0, 0, 0}, {1.1, 2, 1.1}, {"+y"}}, BoxShape{{3, 0, 0}, {4, 1, 1}, {}}};
+    scene.walls[1].contact_angle = 60;
+    const SceneParticles particles = fill_scene(scene);
+    ASSERT_EQ(particles.wall_contact_angles.size(), particles.walls.size());
+    EXPECT_EQ(particles.wall_contact_angles.front(), 90);
+    EXPECT_EQ(particles.wall_contact_angles.back(), 60);
+}
+
 TEST(SceneParticles, BallHasAParticleAtItsCenter) {
     const auto count = [](const Place& axes, int dimension) {
         const SceneParticles particles =

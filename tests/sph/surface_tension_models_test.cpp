@@ -300,5 +300,13 @@ TEST_F(ByHand, Akinci) {
     EXPECT_NEAR(accelerations("akinci_2013", pair, 1)[0][0], 48.8948785, 1e-5);
 }
 
+TEST(AkinciAdhesion, PullsTowardsAWallBetweenHalfAndWholeRadius) {
+    // A(q) / q = 0.007 (-4 q^2 + 6 q - 2)^(1/4) / q: at q = 3/4, 0.007 * 0.25^(1/4) / 0.75.
+    const auto lanes = [](double q) { return all_lanes<Lanes<double>>(q * q); };
+    EXPECT_NEAR(akinci_adhesion<double>(lanes(0.75))[0], 0.006599663, 1e-9);
+    EXPECT_EQ(akinci_adhesion<double>(lanes(0.49))[0], 0);
+    EXPECT_EQ(akinci_adhesion<double>(lanes(1.2))[0], 0);
+}
+
 } // namespace
 } // namespace meniscus
