@@ -174,7 +174,9 @@ TEST(CInterface, BoundaryRadiiAndCandidates) {
             visit(wall, step, 1.0);
         }
     };
-    const BoundaryView<decltype(wall_view)> boundary{wall_view};
+    const std::vector<float> angles(walls.size() / 3, 60);
+    particles.boundary_contact_angles = angles.data();
+    const BoundaryView<decltype(wall_view)> boundary{wall_view, angles.data()};
     const std::vector<std::uint32_t> counts(fluid.size(), 100);
     SurfaceTension<double, 3> tension(options_for<3>());
     tension.step(fluid.view(), boundary, fluid.size(), VaryingRadii<double>{radii.data()}, nullptr,
@@ -193,8 +195,22 @@ TEST(CInterface, BoundaryRadiiAndCandidates) {
             EXPECT_EQ(static_cast<const double*>(results.force)[3 * slot + axis],
                       list.force[slot][axis]);
     }
-    // The drop touches the wall, so its net force stays.
-    const Found before = Found::of<double>(results, 3);
+    particles.boundary_contact_angles = nullptr;
+    const Found at_60 = Found::of<double>(results, 3);
+    ASSERT_EQ(meniscus_step(surface.get(), &particles), MENISCUS_OK);
+    EXPECT_FALSE(Found::of<double>(results_of(surface.get()), 3) == at_60);
+    // The drop touches the wall, so its net force stays, and the wall gets it back.
+    tension.balance_momentum<3>(fluid.view(), boundary, VaryingRadii<double>{radii.data()},
+                                fluid.positions[0].data(), SerialLoop{});
+    const auto reaction = tension.wall_reaction();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        double net = 0;
+        for (std::size_t slot = 0; slot < list.size(); ++slot)
+            net += list.force[slot][axis];
+        EXPECT_EQ(reaction[axis], -net);
+    }
+    EXPECT_NE(reaction[2], 0);
+    const Found before = Found::of<double>(results_of(surface.get()), 3);
     ASSERT_EQ(meniscus_balance_momentum(surface.get(), &particles), MENISCUS_OK);
     EXPECT_TRUE(Found::of<double>(results_of(surface.get()), 3) == before);
     particles.boundary_positions = nullptr;
@@ -492,6 +508,15 @@ TEST(CInterfaceErrors, CheckFindsWhatStepsTrust) {
     auto particles = good.particles();
     walls(good.count)(particles);
     EXPECT_EQ(meniscus_check(surface.get(), &particles), MENISCUS_OK) << meniscus_last_error();
+    std::vector<float> angles(good.count, 90);
+    angles[4] = 5;
+    check(
+        good,
+        [&](auto& p) {
+            walls(good.count)(p);
+            p.boundary_contact_angles = angles.data();
+        },
+        "particles.boundary_contact_angles[4]");
 }
 
 TEST(CInterfaceErrors, OtherArguments) {
