@@ -8,6 +8,7 @@
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/files.hpp>
 #include <meniscus/data/text/text.hpp>
+#include <meniscus/runtime/surface/surface_particles.hpp>
 #include <meniscus/runtime/version.hpp>
 
 #include <fmt/format.h>
@@ -26,6 +27,14 @@ struct ClassifyCommand {
     int threads = 0;
     bool quiet = false;
 };
+
+/// 1 for each particle that add_surface() has found to be surface.
+std::vector<std::uint8_t> surface_of(const Snapshot& snapshot) {
+    std::vector<std::uint8_t> surface;
+    for (const double of_particle : scalar_values(snapshot, "surface_class"))
+        surface.push_back(of_particle == static_cast<double>(SurfaceClass::surface) ? 1 : 0);
+    return surface;
+}
 
 void classify_file(const Path& input, const Path& output, const Model& model,
                    const std::string& model_hash, const Boundary& boundary,
@@ -49,7 +58,7 @@ void classify_file(const Path& input, const Path& output, const Model& model,
     }
     for (const std::string& warning : classes.warnings)
         print_error_line("warning: " + input.string() + ": " + warning);
-    warn_of_support_radius(input, snapshot, classes.valid, classes.surface);
+    warn_of_support_radius(input, snapshot, classes.valid, surface_of(snapshot));
     if (!command.quiet)
         fmt::print("{}: {} particles in {}D, {}{}\n{}{}", output.string(), snapshot.size(),
                    snapshot.dimension,

@@ -1,5 +1,7 @@
 #include "command_line.hpp"
 
+#include <meniscus/data/formats/vtkhdf.hpp>
+#include <meniscus/data/particles/generic_names.hpp>
 #include <meniscus/data/text/errors.hpp>
 
 #include <csignal>
@@ -90,13 +92,33 @@ void check_is_not_an_input(const Path& output, const std::vector<Path>& inputs) 
     }
 }
 
+namespace {
+
+/// What `meniscus simulate` goes on from is a snapshot too, of the last frame in another order.
+void check_is_no_checkpoint(const Path& input) {
+    constexpr std::string_view end = "_checkpoint";
+    const std::string stem = input.stem().string();
+    if (stem.size() < end.size() || stem.substr(stem.size() - end.size()) != end ||
+        !is_vtkhdf(input))
+        return;
+    const auto provenance = read_vtkhdf(input).provenance;
+    if (provenance.count("run") > 0 && provenance.count("log") > 0)
+        throw InputError(
+            fmt::format("{}: the checkpoint of a simulation is no frame of it; leave it "
+                        "out, as in {}_[0-9]*.vtkhdf",
+                        input.string(), stem.substr(0, stem.size() - end.size())));
+}
+
+} // namespace
+
 std::vector<Path> output_files(const InputsAndFolder& files) {
     std::map<Path, Path> input_of;
     std::vector<Path> outputs;
     for (const Path& input : files.inputs) {
         if (!std::filesystem::exists(input))
             throw InputError(fmt::format("{}: no such file", input.string()));
-        outputs.push_back(files.folder / input.stem().concat(".vtkhdf"));
+        check_is_no_checkpoint(input);
+        outputs.push_back(files.folder / (telling_stem(input) + ".vtkhdf"));
         const auto [other, is_new] = input_of.emplace(outputs.back(), input);
         if (!is_new)
             throw InputError(fmt::format("{} and {} would both be written to {}; label them into "

@@ -4,6 +4,7 @@
 #include <meniscus/classifier/model/classify_snapshot.hpp>
 
 #include <meniscus/data/formats/snapshot_files.hpp>
+#include <meniscus/data/particles/nearest_spacing.hpp>
 #include <meniscus/data/particles/particle_arrays.hpp>
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/files.hpp>
@@ -130,6 +131,10 @@ AuditReport audit(const Model& model, const std::vector<std::filesystem::path>& 
         add_row(row, row_of_scene(state.scene, report.scenes));
         add_row(row, report.total);
         uses.push_back({state.file, state.spacing_ratio, bulk_neighbor_count(state)});
+        const std::string doubt = doubtful_support_radius(snapshot, support_radii(snapshot),
+                                                          valid_particles(snapshot, file));
+        if (!doubt.empty())
+            report.warnings.push_back(file.string() + ": " + doubt);
         if (row.features_differ != 0)
             report.warnings.push_back(
                 file.string() + ": the stored neighbor counts of " +

@@ -35,7 +35,8 @@ using Indices = std::vector<std::size_t>;
 constexpr std::string_view wall_words[] = {"boundary", "solid",   "wall",      "tank",
                                            "obstacle", "channel", "container", "vessel",
                                            "rigid",    "body",    "gate",      "cylinder"};
-constexpr std::string_view fluid_words[] = {"fluid", "liquid", "water", "oil", "gas", "air"};
+constexpr std::string_view fluid_words[] = {"fluid", "liquid", "water"};
+constexpr std::string_view short_fluid_words[] = {"oil", "gas", "air"}; // not those in "airfoil"
 constexpr std::string_view opening_words[] = {"inlet", "outlet"};
 
 enum class Role { fluid, opening, wall, ignored, unknown };
@@ -62,10 +63,22 @@ bool contains_any(const std::string& name, const std::string_view (&words)[Count
     });
 }
 
+/// Whether a word of the name, between underscores or digits, is one of these.
+bool has_fluid_word(const std::string& name) {
+    std::string words = lowered(name);
+    std::replace_if(
+        words.begin(), words.end(), [](unsigned char c) { return std::isalpha(c) == 0; }, ' ');
+    words = " " + words + " ";
+    return std::any_of(std::begin(short_fluid_words), std::end(short_fluid_words),
+                       [&](std::string_view word) {
+                           return words.find(" " + std::string(word) + " ") != std::string::npos;
+                       });
+}
+
 Role role_by_name(const Hdf5Source& source, const std::string& array) {
     if (contains_any(array, opening_words))
         return Role::opening;
-    if (contains_any(array, fluid_words))
+    if (contains_any(array, fluid_words) || has_fluid_word(array))
         return Role::fluid;
     if (contains_any(array, wall_words) || exists(source, folder_of(array) + "/body_id"))
         return Role::wall;

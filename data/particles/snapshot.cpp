@@ -1,5 +1,6 @@
 #include "snapshot.hpp"
 
+#include "generic_names.hpp"
 #include <meniscus/data/text/errors.hpp>
 
 #include <algorithm>
@@ -93,7 +94,7 @@ std::string scene_of(const Snapshot& snapshot, const std::filesystem::path& file
     if (!snapshot.scene.empty())
         return snapshot.scene;
     // A frame number stands apart: "dam_0014" is frame 14 of "dam", "breakwater2020" is a name.
-    const std::string stem = file.stem().string();
+    const std::string stem = telling_stem(file);
     const std::size_t last_letter = stem.find_last_not_of("0123456789");
     const bool framed = last_letter != std::string::npos && last_letter + 1 < stem.size() &&
                         std::string_view("_-.").find(stem[last_letter]) != std::string_view::npos;

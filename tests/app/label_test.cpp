@@ -24,6 +24,28 @@ TEST_F(Label, NamesOutputsAfterInputs) {
                      "cube_iisph_05.vtkhdf: 10648 particles in 3D", "mean neighbor count"});
 }
 
+TEST_F(Label, GenericNamesAreThoseOfTheirFolders) {
+    std::filesystem::create_directories(folder / "Dam" / "vtk");
+    const Path input = save(block(4), "Dam/vtk/ParticleData_Fluid_12.vtk");
+    succeed({"label", input, "-o", folder / "out"});
+    EXPECT_EQ(read_vtkhdf(folder / "out" / "Dam_12.vtkhdf").scene, "Dam");
+}
+
+TEST_F(Label, ACheckpointIsNoFrame) {
+    Snapshot checkpoint = block(4);
+    checkpoint.provenance = {{"run", "{}"}, {"log", ""}};
+    fail(2, {"label", save(checkpoint, "dam_checkpoint.vtkhdf"), "-o", folder / "out"},
+         {"dam_checkpoint.vtkhdf", "no frame", "dam_[0-9]*.vtkhdf"});
+}
+
+TEST_F(Label, AQuarterOfTheSupportRadiusIsTheParticleRadius) {
+    const Path input = save(block(4), "block.vtkhdf");
+    succeed({"label", input, "-o", folder / "out", "--particle-radius", "0.25"});
+    EXPECT_EQ(read_vtkhdf(folder / "out" / "block.vtkhdf").support_radius, 1);
+    fail(2, {"label", input, "-o", folder / "no", "--particle-radius", "-1"},
+         {"--particle-radius", "positive"});
+}
+
 TEST_F(Label, AddsLabelsToWhatIsThere) {
     const Path input = sample("droplet_iisph_04");
     const Snapshot before = read_vtkhdf(input);

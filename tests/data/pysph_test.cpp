@@ -224,31 +224,31 @@ TEST_F(Pysph, WallsAreToldByTheirNames) {
         EXPECT_EQ(snapshot.size(), fluid) << wall;
         EXPECT_EQ(snapshot.boundary.size(), other) << wall;
     }
-    for (const char* liquid : {"oil", "tank_water", "inlet", "block"}) {
+    for (const char* liquid : {"oil", "tank_water", "gas_2", "inlet", "airfoil"}) {
         move(("/particles/" + name).c_str(), ("/particles/" + std::string(liquid)).c_str());
         name = liquid;
-        if (name == "block")
+        if (name == "airfoil")
             break;
         const Snapshot snapshot = read_snapshot(file);
         EXPECT_EQ(snapshot.size(), fluid + other) << liquid;
         EXPECT_TRUE(snapshot.boundary.empty()) << liquid;
         EXPECT_EQ(find_array(snapshot, "phase") == nullptr, name == "inlet") << liquid;
     }
-    expect_mentions(reading_error(), {"/particles/block", "--fluid block", "--walls block"});
+    expect_mentions(reading_error(), {"/particles/airfoil", "--fluid airfoil", "--walls airfoil"});
     ReadChoices choices;
-    choices.walls = {"block"};
+    choices.walls = {"airfoil"};
     EXPECT_EQ(read_snapshot(file, choices).boundary.size(), other);
     choices = {};
-    choices.fluid = {"block"};
+    choices.fluid = {"airfoil"};
     EXPECT_EQ(read_snapshot(file, choices).size(), other);
     choices = {};
-    choices.ignored = {"block"};
+    choices.ignored = {"airfoil"};
     EXPECT_EQ(read_snapshot(file, choices).size(), fluid);
     EXPECT_TRUE(read_snapshot(file, choices).boundary.empty());
     choices.ignored = {"brick"};
     expect_mentions(error_of<InputError>([&] { read_snapshot(file, choices); }),
-                    {"'brick'", "block, fluid"});
-    put("block/arrays/body_id", std::vector<double>(other, 0)); // which rigid bodies have
+                    {"'brick'", "airfoil, fluid"});
+    put("airfoil/arrays/body_id", std::vector<double>(other, 0)); // which rigid bodies have
     EXPECT_EQ(read_snapshot(file).boundary.size(), other);
 }
 
