@@ -10,6 +10,7 @@
 #include <vector>
 
 constexpr int edge = 12;
+constexpr int count = edge * edge * edge;
 constexpr double spacing = 0.5;
 constexpr double h = 1; // support radius
 
@@ -21,15 +22,16 @@ int depth(int i) {
 
 int main() {
     using Coefficients = meniscus::Surface3D; // or your own, of `meniscus export`
-    std::vector<std::array<double, 3>> x;
-    for (int i = 0; i < edge * edge * edge; ++i)
-        x.push_back(
-            {spacing * (i % edge), spacing * (i / edge % edge), spacing * (i / edge / edge)});
+    std::vector<std::array<double, 3>> x(count);
+    for (int i = 0; i < count; ++i) {
+        const std::array<int, 3> place = {i % edge, i / edge % edge, i / edge / edge};
+        x[i] = {spacing * place[0], spacing * place[1], spacing * place[2]};
+    }
 
     const auto line = meniscus::surface_line<Coefficients, double>(h / spacing);
     const auto range = meniscus::neighbor_range<double>(h, Coefficients::radius_ratio);
     int wrong = 0;
-    for (int i = 0; i < edge * edge * edge; ++i) {
+    for (int i = 0; i < count; ++i) {
         meniscus::FeatureSum<double, 3> sum;
         for (const auto& neighbor : x) { // a solver has lists
             const std::array<double, 3> step = {neighbor[0] - x[i][0], neighbor[1] - x[i][1],

@@ -9,18 +9,18 @@
 
 namespace {
 
-constexpr int edge = 10; // particles
-constexpr double h = 2;  // support radius; the spacing is 1
+constexpr long edge = 10; // particles
+constexpr double h = 2;   // support radius; the spacing is 1
 
 /// All places from `low` up to below `high` along x and y, and to below `top` along z, but for
 /// those of the fluid where `around` says so.
-meniscus::Positions lattice(int low, int high, int top, bool around) {
+meniscus::Positions lattice(long low, long high, long top, bool around) {
     meniscus::Positions places;
-    for (int x = low; x < high; ++x)
-        for (int y = low; y < high; ++y)
-            for (int z = low; z < top; ++z)
+    for (long x = low; x < high; ++x)
+        for (long y = low; y < high; ++y)
+            for (long z = low; z < top; ++z)
                 if (!around || std::min({x, y, z}) < 0 || std::max(x, y) >= edge)
-                    places.push_back({1.0 * x, 1.0 * y, 1.0 * z});
+                    places.push_back({double(x), double(y), double(z)});
     return places;
 }
 
@@ -73,7 +73,7 @@ long count_surface(const meniscus::Positions& fluid, const Boundary& boundary) {
 
 } // namespace
 
-int main() {
+int main() { // NOLINT(bugprone-exception-escape): what is thrown ends the example
     const meniscus::Positions fluid = lattice(0, edge, edge, false);
     const meniscus::Positions walls = lattice(-2, edge + 2, edge, true);
     const meniscus::NeighborLists lists = boundary_lists(fluid, walls);
@@ -81,6 +81,6 @@ int main() {
     const long in_tank = count_surface(fluid, meniscus::BoundaryView<Walls>{{fluid, walls, lists}});
     std::printf("%zu particles: %ld surface alone, %ld in the tank\n", fluid.size(), alone,
                 in_tank);
-    const int inner = edge - 2;
+    const long inner = edge - 2;
     return alone == edge * edge * edge - inner * inner * inner && in_tank == edge * edge ? 0 : 1;
 }

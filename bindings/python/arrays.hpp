@@ -26,7 +26,7 @@ py::array_t<Value> owning_array(std::vector<Element>&& values,
     const auto* data = reinterpret_cast<const Value*>(kept->data());
     const py::capsule owner(
         kept.get(), [](void* vector) { delete static_cast<std::vector<Element>*>(vector); });
-    kept.release();
+    static_cast<void>(kept.release()); // the capsule has it
     return py::array_t<Value>(shape, data, owner);
 }
 

@@ -28,7 +28,7 @@ py::object new_error(py::module_& module, const char* name, const char* meaning,
 PyObject* input_error = nullptr;
 PyObject* failure_error = nullptr;
 
-void translate(std::exception_ptr thrown) {
+void translate(std::exception_ptr thrown) { // NOLINT: by value, as pybind11 has it
     try {
         if (thrown)
             std::rethrow_exception(thrown);

@@ -118,7 +118,7 @@ py::array_t<std::uint32_t> index_array(const py::handle& object, const char* nam
 }
 
 py::array offset_array(const py::handle& object, std::size_t rows, const char* name) {
-    const py::array array = py::array::ensure(object, py::array::c_style);
+    py::array array = py::array::ensure(object, py::array::c_style);
     demand(array && array.ndim() == 1 && (has_integers_of(array, 4) || has_integers_of(array, 8)),
            std::string(name) + " must be one row of whole numbers of 32 or 64 bits");
     demand(static_cast<std::size_t>(array.size()) == rows + 1,

@@ -42,8 +42,9 @@ class Examples(CommandTest):
         rows = {int(by): (int(missed), int(others)) for by, missed, others in re.findall(
             r"d ([+-]\d+): (\d+) missed, (\d+) false positives", printed)}
         ordered = [rows[by] for by in sorted(rows)]
-        self.assertEqual([missed for missed, _ in ordered], sorted((m for m, _ in ordered), reverse=True))
-        self.assertEqual([others for _, others in ordered], sorted(o for _, o in ordered))
+        missed, others = zip(*ordered)
+        self.assertEqual(list(missed), sorted(missed, reverse=True))
+        self.assertEqual(list(others), sorted(others))
         self.assertGreater(rows[-4][0], rows[0][0])
         self.assertGreater(rows[4][1], rows[0][1])
         labelled = [self.labelled(file) for file in files]

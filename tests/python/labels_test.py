@@ -2,7 +2,7 @@
 """Neighbor lists, features and labels are those of the command, bit for bit."""
 import threading
 
-from support import DROPLET, SAMPLES, SOURCE, CommandTest, lattice, main, meniscus, np
+from support import DROPLET, SAMPLES, CommandTest, lattice, main, meniscus, np
 
 
 class Labels(CommandTest):
@@ -101,7 +101,8 @@ class Neighbors(CommandTest):
                 self.assert_same(np.sort(indices[offsets[i]:offsets[i + 1]]), np.flatnonzero(row))
 
     def test_phases_are_apart(self):
-        state = meniscus.Snapshot([[0.0, 0], [1, 0], [0, 1]], {"phase": np.array([0, 0, 1])}, support_radius=2)
+        state = meniscus.Snapshot([[0.0, 0], [1, 0], [0, 1]], {"phase": np.array([0, 0, 1])},
+                                  support_radius=2)
         offsets, indices = meniscus.neighbors(state)
         self.assert_same(offsets, [0, 1, 2, 2])
         self.assert_same(indices, [1, 0])

@@ -105,7 +105,8 @@ class Refusals(CommandTest):
             "export", broken, "-o", self.folder / "out.hpp"))
 
     def test_other_dimension(self):
-        self.refuse("2D|dimension", meniscus.classify, lattice(4), 2.0, line=meniscus.Line.shipped(2, 2))
+        self.refuse("2D|dimension", meniscus.classify, lattice(4), 2.0,
+                    line=meniscus.Line.shipped(2, 2))
 
 
 if __name__ == "__main__":

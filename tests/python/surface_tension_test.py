@@ -20,10 +20,10 @@ class Steps(CommandTest):
         tension = meniscus.SurfaceTension(dimension, line=line,
                                           spacing_ratio=classes.spacing_ratio, **options)
         ids = None if state.id is None else state.id.astype(np.uint32)
+        radius = state.arrays.get("support_radius", state.support_radius)
         surface = tension.step(state.positions.astype(np.float64), *meniscus.neighbors(state),
-                               support_radius=state.arrays.get("support_radius", state.support_radius),
-                               ids=ids,
-                               candidates=classes.surface, **arguments)
+                               support_radius=radius, ids=ids, candidates=classes.surface,
+                               **arguments)
         self.assertGreater(len(surface.particle), 0)
         for name, ours in FOUND.items():
             values = surface.of_particles(ours)
