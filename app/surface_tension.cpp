@@ -129,7 +129,8 @@ StepParticles step_particles(const Snapshot& snapshot, const Classes& classes,
 }
 
 /// `components` values a slot as three values a particle where they are vectors; zeros for others.
-std::vector<double> spread(const StepResults& found, const void* values, std::size_t components) {
+std::vector<double> spread(const SurfaceStepResults& found, const void* values,
+                           std::size_t components) {
     const std::size_t width = components == 1 ? 1 : 3;
     const auto* of_slots = static_cast<const double*>(values);
     std::vector<double> all(found.count * width);
@@ -139,7 +140,7 @@ std::vector<double> spread(const StepResults& found, const void* values, std::si
     return all;
 }
 
-void set_results(Snapshot& snapshot, const StepResults& found) {
+void set_results(Snapshot& snapshot, const SurfaceStepResults& found) {
     const auto dimension = static_cast<std::size_t>(snapshot.dimension);
     std::vector<std::uint8_t> classes(found.count);
     for (std::size_t slot = 0; slot < found.slots; ++slot)
@@ -152,7 +153,7 @@ void set_results(Snapshot& snapshot, const StepResults& found) {
     set_array(snapshot, {"runtime_force", 3, spread(found, found.force, dimension)});
 }
 
-std::string words_for(const StepResults& found, const SurfaceTensionOptions& options) {
+std::string words_for(const SurfaceStepResults& found, const SurfaceTensionOptions& options) {
     const auto surface = std::count(found.surface_class, found.surface_class + found.slots,
                                     static_cast<std::uint8_t>(SurfaceClass::surface));
     const bool complete =

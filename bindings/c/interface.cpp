@@ -245,7 +245,7 @@ std::size_t checked_stride(const meniscus_surface& surface, std::size_t stride) 
 
 /// Zeros for all particles, then the values of the slots.
 template <class Value>
-void scatter(const StepResults& found, const void* from, std::size_t components, void* to,
+void scatter(const SurfaceStepResults& found, const void* from, std::size_t components, void* to,
              std::size_t stride) {
     if (to == nullptr)
         return;
@@ -258,7 +258,7 @@ void scatter(const StepResults& found, const void* from, std::size_t components,
 }
 
 template <class Real>
-void add_accelerations(const StepResults& found, std::size_t dimension, const Real* masses,
+void add_accelerations(const SurfaceStepResults& found, std::size_t dimension, const Real* masses,
                        Real mass, Real* accelerations, std::size_t stride) {
     const auto* forces = static_cast<const Real*>(found.force);
     for (std::size_t slot = 0; slot < found.slots; ++slot) {
@@ -384,7 +384,7 @@ int meniscus_get_results(const meniscus_surface* surface, meniscus_results* resu
     return guarded([&] {
         check_surface(surface);
         check_struct(results, "results");
-        const StepResults found = surface->step->results();
+        const SurfaceStepResults found = surface->step->results();
         *results = {sizeof *results,
                     found.slots,
                     found.count,

@@ -76,7 +76,7 @@ std::vector<double> surface_normals(const Snapshot& snapshot, const SupportRadii
     }
     const auto step = surface_step(options, {snapshot.dimension, true, given.threads});
     step->step(particles);
-    const StepResults found = step->results();
+    const SurfaceStepResults found = step->results();
     const auto axes = static_cast<std::size_t>(snapshot.dimension);
     const auto* of_slots = static_cast<const double*>(found.normal);
     std::vector<double> normals(3 * snapshot.size());

@@ -284,7 +284,7 @@ struct FoundSurface {
     std::vector<std::uint8_t> surface_class;
     std::vector<Real> uncovered_fraction, normal, curvature, force;
 
-    FoundSurface(const StepResults& found, int dimension)
+    FoundSurface(const SurfaceStepResults& found, int dimension)
         : particle(found.particle, found.particle + found.slots),
           surface_class(found.surface_class, found.surface_class + found.slots),
           uncovered_fraction(reals(found.uncovered_fraction, found.slots)),

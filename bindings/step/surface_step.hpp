@@ -54,7 +54,7 @@ struct StepParticles {
 
 /// What the last step found, in slots: one for each particle that the line let through, in the
 /// order of particles. Pointers hold until the next call that changes the step.
-struct StepResults {
+struct SurfaceStepResults {
     std::size_t slots;
     std::size_t count;                 ///< particles of the step
     const std::uint32_t* particle;     ///< of each slot
@@ -82,7 +82,7 @@ public:
     virtual void check(const StepParticles& particles) const = 0;
     /// After a step, with the same particles.
     virtual void balance_momentum(const StepParticles& particles) = 0;
-    [[nodiscard]] virtual StepResults results() const = 0;
+    [[nodiscard]] virtual SurfaceStepResults results() const = 0;
 };
 
 /// The one for this machine, of no wider instruction set than `widest`. Throws

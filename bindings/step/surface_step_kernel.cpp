@@ -125,7 +125,7 @@ public:
         });
     }
 
-    [[nodiscard]] StepResults results() const override {
+    [[nodiscard]] SurfaceStepResults results() const override {
         const auto& found = tension.surface();
         static_assert(sizeof(SurfaceClass) == 1);
         return {found.size(),

@@ -294,7 +294,7 @@ std::vector<std::array<double, 3>> forces_of(const Snapshot& snapshot,
     particles.candidates = candidates.data();
     const auto step = surface_step(options, StepSetup{});
     step->step(particles);
-    const StepResults found = step->results();
+    const SurfaceStepResults found = step->results();
     std::vector<std::array<double, 3>> forces(found.count);
     for (std::size_t slot = 0; slot < found.slots; ++slot)
         std::copy_n(static_cast<const double*>(found.force) + 3 * slot, 3,
