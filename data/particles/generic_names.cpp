@@ -10,8 +10,8 @@ namespace meniscus {
 namespace {
 
 constexpr std::string_view generic_stems[] = {"particledata_fluid", "particledata", "partfluid"};
-constexpr std::string_view generic_folders[] = {"vtk", "partio", "bgeo", "particles", "output",
-                                                "."};
+constexpr std::string_view generic_folders[] = {"vtk",       "partio", "bgeo",
+                                                "particles", "output", "."};
 
 template <std::size_t Count>
 bool is_one_of(const std::string& name, const std::string_view (&names)[Count]) {

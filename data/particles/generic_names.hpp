@@ -1,5 +1,5 @@
-// Names of files that say nothing of their scene, such as SPlisHSPlasH's ParticleData_Fluid_12.vtk in
-// a folder Dam/vtk: the folder does.
+// Names of files that say nothing of their scene, such as SPlisHSPlasH's ParticleData_Fluid_12.vtk
+// in a folder Dam/vtk: the folder does.
 #pragma once
 
 #include <filesystem>
