@@ -150,15 +150,15 @@ Plane plane_of(const Boundary& boundary, std::size_t i, const Radii& radii, doub
 
 /// The contact of the surface with the wall, `outward` being about its normal; none where the
 /// surface, gone straight on, does not reach the wall within the support radius, or leans over it
-/// by less than the sine `min_lean`.
+/// by less than `min_sine`.
 template <class Real, int Dimension>
 WallContact<Real, Dimension> contact_of(const Plane& wall, const Vector3& outward,
-                                        double contact_angle, double min_lean) {
+                                        double contact_angle, double min_sine) {
     WallContact<Real, Dimension> contact;
     const double length = std::sqrt(dot(outward, outward));
     const double upward = dot(outward, wall.normal);
     const double lean = std::sqrt(larger(length * length - upward * upward, 0));
-    if (!(lean > min_lean * length) || !(wall.distance * length < lean))
+    if (!(lean > min_sine * length) || !(wall.distance * length < lean))
         return contact;
     for (std::size_t axis = 0; axis < Dimension; ++axis)
         contact.normal[axis] = static_cast<Real>(wall.normal[axis]);
@@ -210,11 +210,11 @@ template <class Real, int Dimension, class View, class Boundary, class Radii, cl
 void visit_covering_at_wall(const View& view, const Boundary& boundary, const Radii& radii,
                             std::size_t i, const WallContact<Real, Dimension>& contact,
                             const Vector3& outward, double spacing, const Visit& visit) {
-    const auto [normal, into_wall] = wall_contact::continuation(contact, outward);
+    const wall_contact::Continuation surface = wall_contact::continuation(contact, outward);
     const double per_distance = 2 / static_cast<double>(contact.sine);
     const auto visit_image = [&](const Vector3& step, double distance) {
         if (distance > 0)
-            visit(sum(step, scaled(per_distance * distance, into_wall)));
+            visit(sum(step, scaled(per_distance * distance, surface.into_wall)));
     };
     visit_image({0, 0, 0}, static_cast<double>(contact.distance));
     visit_fluid<Real, Dimension>(view, radii, i, [&](const Vector3& step) {
@@ -226,7 +226,7 @@ void visit_covering_at_wall(const View& view, const Boundary& boundary, const Ra
     });
     wall_contact::visit_boundary<Dimension>(
         boundary, i, radii, [&](const Vector3& step, double /*squared*/, std::size_t /*b*/) {
-            if (dot(step, normal) < -spacing / 2)
+            if (dot(step, surface.normal) < -spacing / 2)
                 visit(step);
         });
 }
