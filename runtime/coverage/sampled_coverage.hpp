@@ -30,7 +30,8 @@ struct SampledCaps {
 
     /// Adds a neighbor at `step`, in support radii.
     void add(const Vector3& step, double radius_ratio) {
-        reserve(count + 1 > x.size() ? 2 * count : count + 1);
+        if (count + wide_float_count >= x.size())
+            reserve(2 * count + wide_float_count);
         x[count] = static_cast<float>(step[0]);
         y[count] = static_cast<float>(step[1]);
         z[count] = static_cast<float>(step[2]);

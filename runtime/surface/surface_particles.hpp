@@ -142,11 +142,12 @@ struct ExposureMemory {
     ExactCoverage exact;
     GatheredNeighbors gathered;
 
-    /// Room for so many neighbors of a particle, boundary included.
+    /// Room for so many neighbors of a particle, boundary included, and their images in a wall.
     void reserve(std::size_t neighbors) {
-        caps.reserve((std::max)(neighbors, usual_neighbors));
+        const std::size_t covering = 2 * neighbors + 1;
+        caps.reserve((std::max)(covering, usual_neighbors));
         hold_limits.reserve(caps.x.size());
-        exact.reserve(neighbors);
+        exact.reserve(covering);
         gathered.reserve((std::max)(neighbors, usual_neighbors));
     }
 };
