@@ -92,7 +92,7 @@ TEST(ShippedScenes, AreAllThere) {
 
 TEST(ShippedScenes, GlassHasTheParticlesOfThePaper) {
     Scene scene = read_scene(scenes / "water_glass.json", "paper");
-    scene.walls.resize(1);
+    scene.walls.erase(scene.walls.begin() + 1, scene.walls.end());
     EXPECT_NEAR(double(fill_scene(scene).walls.size()), 200000, 2000);
 }
 
