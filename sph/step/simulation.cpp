@@ -241,7 +241,7 @@ public:
         finds_surface = knows_surface(scene.surface_tension);
         stepper = make_step(scene, particles, threads);
         if (now.steps == 0)
-            compressed_at_start = stepper->part_compressed(now);
+            part_compressed();
     }
 
     StepReport step(double longest) override {
@@ -315,6 +315,14 @@ private:
     bool finds_surface = false;
     bool diverged = false;
     mutable std::optional<StepResults> found; ///< of the state as it is, once it was looked at
+
+    /// A state in which nothing has to move stays as it is, in its order, too.
+    void part_compressed() {
+        SimulationState parted_state = now;
+        compressed_at_start = stepper->part_compressed(parted_state);
+        if (compressed_at_start > 0)
+            now = std::move(parted_state);
+    }
 
     /// In the order of ids.
     [[nodiscard]] const StepResults& results() const {

@@ -342,7 +342,7 @@ TEST_F(Classify, EachOptionIsThatOfTheRuntime) {
         EXPECT_TRUE(text == noted || std::stod(text) == std::stod(noted)) << flag << noted;
         ++options;
     });
-    EXPECT_EQ(options, 12);
+    EXPECT_EQ(options, 13);
 }
 
 TEST_F(Classify, NamesTheRangeOfEachOption) {

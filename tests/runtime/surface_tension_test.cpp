@@ -429,7 +429,8 @@ TEST(SurfaceTensionOptions, EachChangesTheResult) {
     for_each_surface_option([&](const auto& option) {
         auto options = busy_options();
         set_other(option, options);
-        if (option.name == std::string("boundary_weight"))
+        const std::string name = option.name;
+        if (name == "boundary_weight" || name == "contact_angle")
             return; // there is no boundary
         EXPECT_NE(numbers_of(SurfaceTension<double, 3>(options)), usual) << option.name;
     });

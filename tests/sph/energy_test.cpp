@@ -191,8 +191,8 @@ TEST(TimeSteps, KeepToEachLimit) {
     scene.time_step.max = 0.002;
     expect_steps(scene, 0.002);
     scene.time_step.max = 1;
-    scene.viscosity.kinematic = 1; // 0.125 (h / 2)^2 / nu, and the factor
-    expect_steps(scene, 0.5 * 0.125 * 0.01);
+    scene.viscosity.kinematic = 1; // 0.0625 (h / 2)^2 / nu, and the factor
+    expect_steps(scene, 0.5 * 0.0625 * 0.01);
     scene.viscosity.kinematic = 0;
     scene.surface_tension.model = "meniscus";
     scene.surface_tension.coefficient = 1e4;

@@ -152,6 +152,7 @@ TEST(Domain, EndsTheRunWhereAParticleLeavesIt) {
     for (const auto& [solver, name] : all_solvers) {
         Scene scene = empty_scene(3, solver);
         scene.domain = {{{-1, -1, -1}, {1, 1, 1}}};
+        scene.leaving = Leaving::stop;
         const auto simulation = start_at(scene, {{0, 0, 0}, {0, 0, 0.5}}, {{0, 0, 0}, {0, 0, 10}});
         const std::string message = error_of<Divergence>([&] { run_until(*simulation, 0.2); });
         expect_mentions(message, {"particle 1", "left the domain", "(0, 0, 1"});

@@ -111,6 +111,7 @@ TEST(Walls, HoldAParticleInTheCornerOfABox) {
                 box.high[axis] = 1;
             scene.walls = {box};
             scene.gravity = {-9.81, -9.81, dimension == 3 ? -9.81 : 0};
+            std::get<SphereShape>(scene.fluid[0].shape).center = {0.5, 0.5, 0.5};
             SceneParticles particles = fill_scene(scene);
             particles.positions = {{0.3, 0.3, dimension == 3 ? 0.3 : 0}};
             particles.velocities = {{}};
