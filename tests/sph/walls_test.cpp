@@ -111,7 +111,8 @@ TEST(Walls, HoldAParticleInTheCornerOfABox) {
                 box.high[axis] = 1;
             scene.walls = {box};
             scene.gravity = {-9.81, -9.81, dimension == 3 ? -9.81 : 0};
-            std::get<SphereShape>(scene.fluid[0].shape).center = {0.5, 0.5, 0.5};
+            std::get<SphereShape>(scene.fluid[0].shape).center = {0.5, 0.5,
+                                                                  dimension == 3 ? 0.5 : 0};
             SceneParticles particles = fill_scene(scene);
             particles.positions = {{0.3, 0.3, dimension == 3 ? 0.3 : 0}};
             particles.velocities = {{}};
