@@ -22,7 +22,8 @@ public:
 
     /// Moves apart, without a change of velocities, what starts too close together, to a wall or to
     /// each other: pressure would throw it away. Returns how many particles were more than a tenth
-    /// denser than at rest; none moves where that is 0.
+    /// denser than at rest; none moves where that is 0. Particles in one place and heaps more than
+    /// twice as dense stay.
     virtual std::size_t part_compressed(SimulationState& state) = 0;
 
     /// Sorts the state's particles by cell, as advance() does, and looks at them without moving
