@@ -18,21 +18,24 @@ struct Wedge {
     Coordinates<double, Dimension> outward{};
 
     explicit Wedge(double degrees) {
-        constexpr double reach = Dimension == 3 ? 8 : 12;
+        constexpr int reach = Dimension == 3 ? 8 : 12;
+        constexpr int depth = Dimension == 3 ? 8 : 0;
         const double theta = degrees * pi / 180;
         outward[0] = std::sin(theta);
         outward[1] = std::cos(theta);
-        const double depth = Dimension == 3 ? 8 : 0;
-        // A lattice whose rows run along the surface, so that it is flat.
         const double along[2] = {-std::cos(theta), std::sin(theta)}; // up the surface
-        for (double z = -depth; z <= depth; ++z)
-            for (double u = 0.5 - 3 * reach; u <= 3 * reach; ++u)
-                for (double w = 0.5; w <= reach; ++w)
+        for (int z = -depth; z <= depth; ++z) {
+            // Rows along the surface, so that it is flat.
+            for (int row = 0; row < reach; ++row)
+                for (int place_in_row = -3 * reach; place_in_row < 3 * reach; ++place_in_row) {
+                    const double u = place_in_row + 0.5;
+                    const double w = row + 0.5;
                     add_fluid(u * along[0] - w * outward[0], -0.5 + u * along[1] - w * outward[1],
                               z, reach);
-        for (double z = -depth; z <= depth; ++z)
-            for (double x = -2 * reach; x <= 2 * reach; ++x)
+                }
+            for (int x = -2 * reach; x <= 2 * reach; ++x)
                 boundary.push_back(place(x, -1, z));
+        }
     }
 
     static Coordinates<Real, Dimension> place(double x, double y, double z) {
