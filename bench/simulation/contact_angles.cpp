@@ -22,20 +22,20 @@ Scene drop_on_wall(int dimension, double contact_angle) {
     scene.dimension = dimension;
     const double spacing = scene.particle_spacing = dimension == 2 ? 1e-4 : 2e-4;
     scene.support_radius = 2 * spacing;
-    const double half = dimension == 2 ? 2.5e-3 : 1.8e-3;
-    const double height = dimension == 2 ? 2.5e-3 : 2e-3;
+    const double half = dimension == 2 ? 1.6e-3 : 1.4e-3;
+    const double height = dimension == 2 ? 1.6e-3 : 1.4e-3;
     const double depth = dimension == 3 ? half : 0;
     scene.fluid = {
         {BoxShape{{-half, spacing / 2, -depth}, {half, spacing / 2 + height, depth}, {}}, {}}};
-    const double side = dimension == 2 ? 16e-3 : 8e-3;
+    const double side = dimension == 2 ? 10e-3 : 6e-3;
     const double deep = dimension == 3 ? side : 0;
     scene.walls = {BoxShape{{-side, 0, -deep}, {side, 6e-3, deep}, {"+y"}}};
-    scene.viscosity.kinematic = 2e-4;
+    scene.viscosity.kinematic = dimension == 2 ? 1e-4 : 2e-4;
     scene.surface_tension.model = "meniscus";
     scene.surface_tension.coefficient = sigma;
     scene.surface_tension.surface.contact_angle = contact_angle;
     scene.time_step.max = default_max_time_step(spacing);
-    scene.duration = dimension == 2 ? 0.12 : 0.04;
+    scene.duration = dimension == 2 ? 0.06 : 0.02;
     scene.frame_interval = scene.duration;
     return scene;
 }

@@ -219,6 +219,7 @@ void refuse_with(const JsonReader& reader, const char* key, const std::string& b
 template <class Row>
 std::vector<std::string> names_of(const std::vector<Row>& rows) {
     std::vector<std::string> names;
+    names.reserve(rows.size());
     for (const Row& row : rows)
         names.emplace_back(row.name);
     return names;
