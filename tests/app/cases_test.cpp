@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <numeric>
+#include <sstream>
 
 namespace meniscus {
 namespace {
@@ -66,6 +68,12 @@ protected:
         if (!std::filesystem::exists(cases))
             GTEST_SKIP() << "no " << cases;
     }
+
+    /// Runs a scene of the cases, and returns its log.
+    [[nodiscard]] Path log_of_run(const std::string& scene) const {
+        succeed({"simulate", cases / ("scene_" + scene + ".json"), "-o", folder / scene});
+        return folder / scene / (scene + "_log.csv");
+    }
 };
 
 TEST_F(Cases, AreReadRightly) {
@@ -113,6 +121,58 @@ TEST_F(Cases, FluidAndWallsInOneFileOrTwoAreTheSame) {
             radius);
     EXPECT_EQ(scalar_values(read_vtkhdf(folder / "one" / "a12_dsph_all.vtkhdf"), "surface"),
               scalar_values(read_vtkhdf(folder / "two" / "a12_dsph_fluid.vtkhdf"), "surface"));
+}
+
+/// The numbers of a column of a run's log.
+std::vector<double> column_of(const Path& log, const std::string& name) {
+    std::ifstream file(log);
+    const auto cells_of = [](const std::string& line) {
+        std::vector<std::string> cells;
+        std::istringstream text(line);
+        for (std::string cell; std::getline(text, cell, ',');)
+            cells.push_back(cell);
+        return cells;
+    };
+    std::string line;
+    std::getline(file, line);
+    const auto names = cells_of(line);
+    const auto place = std::find(names.begin(), names.end(), name) - names.begin();
+    std::vector<double> numbers;
+    while (std::getline(file, line))
+        numbers.push_back(std::stod(cells_of(line).at(place)));
+    return numbers;
+}
+
+TEST_F(Cases, FluidAtRestAtWallsGainsNoEnergy) {
+    for (const char* scene : {"layer2d", "sessile2d", "cup"}) {
+        SCOPED_TRACE(scene);
+        const Path log = log_of_run(scene);
+        const auto kinetic = column_of(log, "kinetic_energy");
+        const auto potential = column_of(log, "potential_energy");
+        const auto area = column_of(log, "surface_area");
+        const auto energy = [&](std::size_t frame) {
+            return kinetic[frame] + potential[frame] + 0.072 * area[frame];
+        };
+        for (std::size_t frame = 1; frame < kinetic.size(); ++frame)
+            EXPECT_LT(energy(frame), 1.01 * energy(0)) << frame;
+    }
+}
+
+TEST_F(Cases, FluidInAWallIsRefused) {
+    fail(2, {"simulate", cases / "scene_immersed.json", "-o", folder},
+         {"'immersed'", "fluid[0]", "walls[1]", "spacings apart"});
+}
+
+TEST_F(Cases, SprayThatLeavesATankIsRemovedAndCounted) {
+    const auto particles = column_of(log_of_run("tank"), "particles");
+    EXPECT_EQ(particles.front(), 1000);
+    EXPECT_LT(particles.back(), 1000);
+    EXPECT_GE(particles.back(), 990);
+}
+
+TEST_F(Cases, AScenesSnapshotKeepsItsVelocities) {
+    const auto kinetic = column_of(log_of_run("snap"), "kinetic_energy");
+    EXPECT_NEAR(kinetic.front(), 16, 1e-3);
 }
 
 TEST_F(Cases, VelocitiesAreFoundUnderTheirNames) {

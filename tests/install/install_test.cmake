@@ -135,12 +135,9 @@ expect_mention("${printed}" "this copy offers runtime\n")
 # All of it inside another project, for one that wants more than the runtime.
 build_consumer(${subproject} -DMENISCUS_RUNTIME_ONLY=OFF -DMENISCUS_TRAINER=OFF --fresh)
 
-# The README's lines, and a solver in C, told where the library is by CMake or by pkg-config.
+# The README's lines, and the example in C, told where the library is by pkg-config.
 build_consumer(readme -DCMAKE_PREFIX_PATH=${prefix} -DREADME=${SOURCE}/README.md)
 run(ignored ${WORK}/readme/readme)
-build_consumer(c_solver -DCMAKE_PREFIX_PATH=${prefix})
-run(printed ${WORK}/c_solver/c_solver)
-expect_mention("${printed}" "corner drawn by")
 find_program(pkg_config pkg-config)
 if(pkg_config)
     file(GLOB_RECURSE description ${prefix}/*/meniscus.pc)
@@ -148,5 +145,6 @@ if(pkg_config)
     run(flags ${CMAKE_COMMAND} -E env PKG_CONFIG_PATH=${folder}
         ${pkg_config} --cflags --libs meniscus)
     separate_arguments(flags UNIX_COMMAND "${CXX_FLAGS} ${flags}")
-    run(ignored ${C_COMPILER} ${CONSUMERS}/c_solver/solver.c -o ${WORK}/plain_c_solver ${flags})
+    run(ignored ${C_COMPILER} -std=c99 -Wall -Wextra -Wpedantic -Werror
+        ${SOURCE}/examples/04_c_interface.c -o ${WORK}/plain_c_example ${flags})
 endif()
