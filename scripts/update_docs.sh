@@ -107,6 +107,7 @@ if wanted simulation; then
 fi
 if wanted contact-angles; then
     print contact-angles walls
+    print drops-in-gravity walls
 fi
 if wanted step-speed; then
     print stages simulation

@@ -1,5 +1,7 @@
-// Drops that start as boxes on a wall and find their contact angle, without gravity: the angle of
-// the circle (sphere) through the surface, how fast they still are, and what energy did.
+// Drops that start as boxes on a wall and find their contact angle. Without gravity: the angle of
+// the circle (sphere) through the surface, how fast they still are, and what energy did. With
+// gravity: height and width beside those of the exact profile.
+#include "capillary_shapes.hpp"
 #include "support/tables.hpp"
 #include "watched_run.hpp"
 
@@ -73,6 +75,24 @@ Cap fitted_cap(const Snapshot& frame) {
     return {std::acos(cosine) / degree, radius * spacing};
 }
 
+/// A run to its end: the last state, and the largest speed there.
+struct LastState {
+    RunSummary run;
+    Snapshot frame;
+    double speed = 0;
+};
+
+LastState run_to_end(const Scene& scene) {
+    LastState last;
+    last.run = watch_run(scene, [&](const Simulation& simulation, const StepReport& report) {
+        if (report.time < scene.duration * (1 - 1e-9))
+            return;
+        last.frame = simulation.snapshot();
+        last.speed = simulation.balance().max_speed;
+    });
+    return last;
+}
+
 Tables contact_angles(const TableInput& /*input*/) {
     Table table = table_of(
         "contact-angles",
@@ -81,15 +101,7 @@ Tables contact_angles(const TableInput& /*input*/) {
     for (const int dimension : {2, 3})
         for (const double angle : {30.0, 60.0, 90.0, 120.0, 150.0}) {
             const Scene scene = drop_on_wall(dimension, angle);
-            Snapshot last;
-            double speed = 0;
-            const RunSummary run =
-                watch_run(scene, [&](const Simulation& simulation, const StepReport& report) {
-                    if (report.time < scene.duration * (1 - 1e-9))
-                        return;
-                    last = simulation.snapshot();
-                    speed = simulation.balance().max_speed;
-                });
+            const auto [run, last, speed] = run_to_end(scene);
             if (!run.failure.empty()) {
                 table.add({dimension, angle, run.failure});
                 continue;
@@ -102,12 +114,72 @@ Tables contact_angles(const TableInput& /*input*/) {
     return {table};
 }
 
+/// In 2D: half a disc of `radius` spacings as a box on a wall at y = 0, under that gravity.
+Scene drop_in_gravity(double contact_angle, double bond_number) {
+    Scene scene = drop_on_wall(2, contact_angle);
+    scene.name = "drop_in_gravity";
+    constexpr double radius = 16, pi = 180 * degree;
+    const double spacing = scene.particle_spacing;
+    const double half = std::round(radius * std::sqrt(pi / 2));
+    const double height = std::round(pi * radius * radius / (4 * half));
+    scene.fluid = {{BoxShape{{-half * spacing, spacing / 2, 0},
+                             {half * spacing, spacing / 2 + height * spacing, 0},
+                             {}},
+                    {}}};
+    const double length = radius * spacing;
+    scene.gravity = {0, -bond_number * sigma / (scene.rest_density * length * length), 0};
+    scene.duration = 0.08;
+    scene.frame_interval = scene.duration;
+    return scene;
+}
+
+Tables drops_in_gravity(const TableInput& /*input*/) {
+    Table table = table_of(
+        "drops-in-gravity",
+        "contact angle | Bond number | exact height, spacings {:.2f} | found {:.2f} | off, % "
+        "{:.1f} "
+        "| exact half width, spacings {:.2f} | found half width {:.2f} | half width off, % {:.1f} "
+        "| "
+        "speed at the end over the capillary one, % {:.1f} | largest rise of energy, % {:.2f}");
+    for (const double angle : {60.0, 90.0, 120.0})
+        for (const double bond_number : {0.1, 1.0, 5.0}) {
+            const Scene scene = drop_in_gravity(angle, bond_number);
+            const auto [run, last, speed] = run_to_end(scene);
+            if (!run.failure.empty()) {
+                table.add({angle, bond_number, run.failure});
+                continue;
+            }
+            const double spacing = scene.particle_spacing;
+            double top = 0, left = 0, right = 0;
+            for (const Place& place : last.positions) {
+                top = std::max(top, place[1]);
+                left = std::min(left, place[0]);
+                right = std::max(right, place[0]);
+            }
+            // The fluid ends half a spacing beyond its particles, the wall half a spacing above
+            // its.
+            const double height = top / spacing;
+            const double half_width = (right - left) / (2 * spacing) + 0.5;
+            const double capillary_length =
+                std::sqrt(sigma / (scene.rest_density * -scene.gravity[1])) / spacing;
+            const SessileDrop exact = sessile_drop(2, angle * degree, capillary_length,
+                                                   static_cast<double>(run.particles));
+            const double capillary =
+                std::sqrt(sigma / (scene.rest_density * exact.max_radius * spacing));
+            table.add({angle, bond_number, exact.height, height, 100 * (height / exact.height - 1),
+                       exact.max_radius, half_width, 100 * (half_width / exact.max_radius - 1),
+                       100 * speed / capillary, 100 * run.energy_rise / run.first_energy});
+        }
+    return {table};
+}
+
 } // namespace
 
 TableGroup contact_angle_tables() {
-    return {
-        "Fluid at walls",
-        {{"contact-angles", "", 0, "drops on a wall and their contact angles", contact_angles}}};
+    return {"Fluid at walls",
+            {{"contact-angles", "", 0, "drops on a wall and their contact angles", contact_angles},
+             {"drops-in-gravity", "", 0, "drops on a wall under gravity beside exact profiles",
+              drops_in_gravity}}};
 }
 
 } // namespace meniscus

@@ -297,14 +297,19 @@ MENISCUS_INLINE std::array<Real, Size> in_own_radius(std::array<Real, Size> step
     return step;
 }
 
-/// Calls visit(j, step) for what covers particle i: fluid neighbors, then boundary ones, whose j is
-/// not an index of the fluid and comes as no_particle.
-template <class Real, int Dimension, class View, class Boundary, class Radii, class Visit>
-MENISCUS_INLINE void visit_covering(const View& view, const Boundary& boundary, const Radii& radii,
-                                    std::size_t i, const Visit& visit) {
+/// Calls visit(j, step) for the fluid neighbors of particle i.
+template <class Real, int Dimension, class View, class Radii, class Visit>
+MENISCUS_INLINE void visit_covering_fluid(const View& view, const Radii& radii, std::size_t i,
+                                          const Visit& visit) {
     view(i, [&](std::size_t j, const auto& displacement, Real /*mass*/) {
         visit(j, in_radii<Real, Dimension>(displacement, radii.inverse_of_pair(i, j)));
     });
+}
+
+/// The same for the boundary, whose j is not an index of the fluid and comes as no_particle.
+template <class Real, int Dimension, class Boundary, class Radii, class Visit>
+MENISCUS_INLINE void visit_covering_boundary(const Boundary& boundary, const Radii& radii,
+                                             std::size_t i, const Visit& visit) {
     if constexpr (Boundary::is_there)
         boundary(i, [&](std::size_t /*j*/, const auto& displacement, Real /*mass*/) {
             visit(no_particle,
@@ -312,12 +317,17 @@ MENISCUS_INLINE void visit_covering(const View& view, const Boundary& boundary, 
         });
 }
 
-/// Collects the caps of the particle in a slot and its pairs on the surface. Returns the sum of
-/// displacements, which points into the fluid.
+/// Sums of displacements to what covers a particle, in radii.
+struct Inward {
+    Vector3 fluid = {0, 0, 0}; ///< to the fluid alone
+    Vector3 all = {0, 0, 0};   ///< to fluid and boundary
+};
+
+/// Collects the caps of the particle in a slot and its pairs on the surface.
 template <class Real, int Dimension, class View, class Boundary, class Radii>
-MENISCUS_INLINE Vector3 collect(const View& view, const Boundary& boundary, const Radii& radii,
-                                double radius_ratio, std::size_t slot,
-                                SurfaceParticles<Real, Dimension>& list, SampledCaps& caps) {
+MENISCUS_INLINE Inward collect(const View& view, const Boundary& boundary, const Radii& radii,
+                               double radius_ratio, std::size_t slot,
+                               SurfaceParticles<Real, Dimension>& list, SampledCaps& caps) {
     const auto range = neighbor_range<Real>(1, radius_ratio);
     const auto half_cosine = static_cast<float>((1 - radius_ratio * radius_ratio) / 2);
     const std::int32_t* const slot_of = list.slot_of.data();
@@ -332,39 +342,44 @@ MENISCUS_INLINE Vector3 collect(const View& view, const Boundary& boundary, cons
     caps.reserve(usual_neighbors);
     float *x = caps.x.data(), *y = caps.y.data(), *z = caps.z.data(), *limit = caps.limit.data();
     std::size_t room = caps.x.size() - wide_float_count;
-    visit_covering<Real, Dimension>(
-        view, boundary, radii, list.particle[slot], [&](std::size_t j, const auto& step) {
-            const Real distance_squared = squared_length<Real, Dimension>(step);
-            if (!range.contains(distance_squared))
-                return;
-            if (count == room) {
-                caps.reserve(2 * count);
-                x = caps.x.data(), y = caps.y.data(), z = caps.z.data(), limit = caps.limit.data();
-                room = caps.x.size() - wide_float_count;
-            }
-            for (std::size_t axis = 0; axis < Dimension; ++axis)
-                inward[axis] += step[axis];
-            x[count] = static_cast<float>(step[0]);
-            y[count] = static_cast<float>(step[1]);
-            z[count] = Dimension == 3 ? static_cast<float>(step[Dimension - 1]) : 0.0F;
-            limit[count] = 0.5F * static_cast<float>(distance_squared) + half_cosine;
-            ++count;
-            const std::int32_t neighbor = j < particles ? slot_of[j] : -1;
-            auto& pair = pairs[pairs_count];
-            pair.slot = static_cast<std::uint32_t>(neighbor);
-            pair.weight = 1 - std::sqrt(distance_squared);
-            const auto& own = in_own_radius(step, radii, list.particle[slot], j);
-            for (std::size_t axis = 0; axis < Dimension; ++axis)
-                pair.step[axis] = own[axis];
-            pairs_count +=
-                static_cast<std::uint32_t>(int{neighbor >= 0} & int{pairs_count < max_pairs});
-        });
+    const auto add = [&](std::size_t j, const auto& step) {
+        const Real distance_squared = squared_length<Real, Dimension>(step);
+        if (!range.contains(distance_squared))
+            return;
+        if (count == room) {
+            caps.reserve(2 * count);
+            x = caps.x.data(), y = caps.y.data(), z = caps.z.data(), limit = caps.limit.data();
+            room = caps.x.size() - wide_float_count;
+        }
+        for (std::size_t axis = 0; axis < Dimension; ++axis)
+            inward[axis] += step[axis];
+        x[count] = static_cast<float>(step[0]);
+        y[count] = static_cast<float>(step[1]);
+        z[count] = Dimension == 3 ? static_cast<float>(step[Dimension - 1]) : 0.0F;
+        limit[count] = 0.5F * static_cast<float>(distance_squared) + half_cosine;
+        ++count;
+        const std::int32_t neighbor = j < particles ? slot_of[j] : -1;
+        auto& pair = pairs[pairs_count];
+        pair.slot = static_cast<std::uint32_t>(neighbor);
+        pair.weight = 1 - std::sqrt(distance_squared);
+        const auto& own = in_own_radius(step, radii, list.particle[slot], j);
+        for (std::size_t axis = 0; axis < Dimension; ++axis)
+            pair.step[axis] = own[axis];
+        pairs_count +=
+            static_cast<std::uint32_t>(int{neighbor >= 0} & int{pairs_count < max_pairs});
+    };
+    const auto sum_so_far = [&] {
+        Vector3 so_far = {0, 0, 0};
+        for (std::size_t axis = 0; axis < Dimension; ++axis)
+            so_far[axis] = static_cast<double>(inward[axis]);
+        return so_far;
+    };
+    visit_covering_fluid<Real, Dimension>(view, radii, list.particle[slot], add);
+    const Vector3 of_fluid = sum_so_far();
+    visit_covering_boundary<Real, Dimension>(boundary, radii, list.particle[slot], add);
     caps.count = count;
     list.pairs_count[slot] = pairs_count;
-    Vector3 sum = {0, 0, 0};
-    for (std::size_t axis = 0; axis < Dimension; ++axis)
-        sum[axis] = static_cast<double>(inward[axis]);
-    return sum;
+    return {of_fluid, sum_so_far()};
 }
 
 /// The uncovered part in closed form.
@@ -374,11 +389,12 @@ UncoveredPart exact_part(const View& view, const Boundary& boundary, const Radii
                          ExactCoverage& exact) {
     const auto range = neighbor_range<Real>(1, radius_ratio);
     exact.caps.clear();
-    visit_covering<Real, Dimension>(view, boundary, radii, i,
-                                    [&](std::size_t /*j*/, const auto& step) {
-                                        if (range.contains(squared_length<Real, Dimension>(step)))
-                                            add_cap<Dimension>(exact.caps, step, 1, radius_ratio);
-                                    });
+    const auto add = [&](std::size_t /*j*/, const auto& step) {
+        if (range.contains(squared_length<Real, Dimension>(step)))
+            add_cap<Dimension>(exact.caps, step, 1, radius_ratio);
+    };
+    visit_covering_fluid<Real, Dimension>(view, radii, i, add);
+    visit_covering_boundary<Real, Dimension>(boundary, radii, i, add);
     return uncovered_part<Dimension>(cells, exact);
 }
 
@@ -416,6 +432,17 @@ UncoveredPart part_between(const SurfaceTensionOptions& options, const SphereSam
     return {static_cast<double>(sampled.fraction), sampled.moment};
 }
 
+/// Whether the fluid may lean over the wall below a covered particle: its mean then lies aside of
+/// the wall's. Within the fluid both lie on one line through the particle, in corners, too. Sums
+/// that collect() has made already tell; nearly all covered candidates at walls are done with here.
+inline bool may_overhang(const Inward& inward) {
+    const Vector3 boundary = difference(inward.all, inward.fluid);
+    const double along = dot(inward.fluid, boundary);
+    const double both = dot(inward.fluid, inward.fluid) * dot(boundary, boundary);
+    constexpr double max_aside = 0.15; // sine
+    return both > 0 && !(along < 0 && both - along * along < max_aside * max_aside * both);
+}
+
 /// What the fluid alone leaves uncovered.
 template <class Real, int Dimension, class View, class Radii>
 UncoveredPart part_without_boundary(const View& view, const Radii& radii,
@@ -436,6 +463,35 @@ UncoveredPart part_at_wall(const View& view, const Boundary& boundary, const Rad
         visit_covering_at_wall(view, boundary, radii, i, contact, outward,
                                1 / options.spacing_ratio, visit);
     });
+}
+
+/// Looks once more at a particle that may meet a wall: `part` and `is_surface` become what they are
+/// with the fluid continued into the wall, if there is a contact. Returns the contact of a surface
+/// particle.
+template <class Real, int Dimension, class View, class Boundary, class Radii>
+WallContact<Real, Dimension>
+look_at_wall(const View& view, const Boundary& boundary, const Radii& radii,
+             const SurfaceTensionOptions& options, std::size_t i, const SphereSamples& samples,
+             ExposureMemory& memory, UncoveredPart& part, bool& is_surface) {
+    using namespace wall_contact;
+    const Plane wall = plane_of<Dimension>(boundary, i, radii, 1 / options.spacing_ratio);
+    if (!wall.is_there())
+        return {};
+    const Vector3 outward =
+        is_surface
+            ? part.moment
+            : part_without_boundary<Real, Dimension>(view, radii, options, i, samples, memory)
+                  .moment;
+    const auto contact = contact_of<Real, Dimension>(
+        wall, outward, contact_angle_at(boundary, wall.nearest, options.contact_angle),
+        is_surface ? min_lean : min_lean_below);
+    if (!contact.is_there())
+        return {};
+    part = part_at_wall<Real, Dimension>(view, boundary, radii, options, i, contact, outward,
+                                         samples, memory);
+    is_surface = is_surface || part.fraction > zero_uncovered_fraction;
+    const bool is_exposed = dot(part.moment, part.moment) > min_exposure * min_exposure;
+    return is_surface && is_exposed ? contact : WallContact<Real, Dimension>{};
 }
 
 /// Notes what was found of a candidate.
@@ -464,20 +520,19 @@ void find_exposure(const View& view, const Boundary& boundary, const Radii& radi
                    const HeldCells& cells, const SurfaceTensionOptions& options, const Loop& loop,
                    ExposureMemory* memory, SurfaceParticles<Real, Dimension>& list) {
     using namespace surface_particles;
-    using namespace wall_contact;
     const double ratio = options.radius_ratio;
     loop(list.size(), [&](std::size_t begin, std::size_t end, int worker) {
         auto& [caps, hold_limits, exact, gathered] = memory[worker];
         for (std::size_t slot = begin; slot < end; ++slot) {
             const std::size_t i = list.particle[slot];
-            const Vector3 inward = collect(view, boundary, radii, ratio, slot, list, caps);
+            const Inward inward = collect(view, boundary, radii, ratio, slot, list, caps);
             UncoveredPart part{0, {0, 0, 0}};
             bool is_surface = false;
             bool is_settled = false;
             if (options.coverage == CoverageMethod::sampled) {
                 const auto sampled = sample_coverage<Dimension>(
                     directions, directions.set_begin(ids != nullptr ? ids[i] : i),
-                    scaled(-1, inward), caps);
+                    scaled(-1, inward.all), caps);
                 is_surface = sampled.is_certain ||
                              (options.verification == Verification::drop && sampled.fraction > 0);
                 if (is_surface)
@@ -492,33 +547,13 @@ void find_exposure(const View& view, const Boundary& boundary, const Radii& radi
             }
             list.contact[slot] = {};
             if constexpr (Boundary::is_there) {
-                const Plane wall =
-                    plane_of<Dimension>(boundary, i, radii, 1 / options.spacing_ratio);
-                if (wall.is_there()) {
-                    const std::size_t set = options.coverage == CoverageMethod::sampled
-                                                ? directions.set_begin(ids != nullptr ? ids[i] : i)
-                                                : 0;
-                    const SphereSamples samples{directions, set, cells.coarse};
-                    Vector3 outward = part.moment;
-                    if (!is_surface)
-                        outward = part_without_boundary<Real, Dimension>(view, radii, options, i,
-                                                                         samples, memory[worker])
-                                      .moment;
-                    auto& contact = list.contact[slot];
-                    contact = contact_of<Real, Dimension>(
-                        wall, outward,
-                        contact_angle_at(boundary, wall.nearest, options.contact_angle),
-                        is_surface ? min_lean : min_lean_below);
-                    if (contact.is_there()) {
-                        part = part_at_wall<Real, Dimension>(view, boundary, radii, options, i,
-                                                             contact, outward, samples,
-                                                             memory[worker]);
-                        is_surface = is_surface || part.fraction > zero_uncovered_fraction;
-                    }
-                    if (!is_surface ||
-                        !(dot(part.moment, part.moment) > min_exposure * min_exposure))
-                        contact = {};
-                }
+                const std::size_t set = options.coverage == CoverageMethod::sampled
+                                            ? directions.set_begin(ids != nullptr ? ids[i] : i)
+                                            : 0;
+                if (is_surface || may_overhang(inward))
+                    list.contact[slot] = look_at_wall<Real, Dimension>(
+                        view, boundary, radii, options, i, {directions, set, cells.coarse},
+                        memory[worker], part, is_surface);
             }
             note(part, is_surface, options, slot, list);
         }

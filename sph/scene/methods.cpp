@@ -64,20 +64,26 @@ bool has_sigma(const TensionOptions& options) {
 }
 
 double longest_stable_step(const Scene& scene) {
+    const double step = longest_inviscid_step(scene);
+    if (!(scene.viscosity.kinematic > 0))
+        return step;
+    const double reach = scene.support_radius / 2;
+    // Half of Morris', since the sum's factor is larger.
+    return std::min(step, 0.0625 * reach * reach / scene.viscosity.kinematic);
+}
+
+double longest_inviscid_step(const Scene& scene) {
     constexpr double two_pi = 6.283185307179586;
     const double spacing = scene.particle_spacing;
     double step =
         pressure_solvers()[pressure_solver_place(scene.pressure.solver)].longest_stable_step(scene);
-    if (scene.viscosity.kinematic > 0) // half of Morris', since the sum's factor is larger
-        step = std::min(step, 0.0625 * (scene.support_radius / 2) * (scene.support_radius / 2) /
-                                  scene.viscosity.kinematic);
     const double sigma = scene.surface_tension.coefficient;
     if (has_sigma(scene.surface_tension) && sigma > 0)
         step = std::min(
             step, std::sqrt(scene.rest_density * spacing * spacing * spacing / (two_pi * sigma)));
     // A step that falls farther than this share of a spacing asks more of the pressure than it
     // can give back without throwing particles up.
-    constexpr double falling_share = 0.15 * 0.15;
+    constexpr double falling_share = 0.075 * 0.075;
     const double gravity = std::hypot(scene.gravity[0], scene.gravity[1], scene.gravity[2]);
     if (gravity > 0)
         step = std::min(step, std::sqrt(falling_share * spacing / gravity));

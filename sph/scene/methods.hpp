@@ -87,6 +87,9 @@ bool knows_surface(const TensionOptions& options);
 /// leave stable, whatever the fluid does. Throws as pressure_solver_place() does.
 double longest_stable_step(const Scene& scene);
 
+/// The same but for viscosity, which asks for short steps where nothing moves fast.
+double longest_inviscid_step(const Scene& scene);
+
 /// The keys of the project's own model beside those that all models have, and what reads them.
 std::vector<std::string> meniscus_option_keys();
 void read_meniscus_options(const JsonReader& reader, TensionOptions& options);

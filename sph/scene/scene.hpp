@@ -104,6 +104,9 @@ struct TensionOptions {
     double adhesion = 0;              ///< akinci_2013: beta of its attraction by walls; 0: none
     // The rest is for `meniscus`.
     bool balance_momentum = true; ///< takes net force and torque out of bodies that touch no wall
+    /// Of contact lines with walls, over sqrt(rho sigma spacing), N s/m^2 (in 2D N s/m); 0: none. A
+    /// line that slips freely rattles over the single particles of a wall.
+    double contact_friction = 2;
     /// Of the classifier that `surface` is to have in place of the one that ships; whoever runs the
     /// scene reads it (app/scene_model.hpp). Empty: none.
     std::filesystem::path model_file;

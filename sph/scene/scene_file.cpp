@@ -458,7 +458,7 @@ Json patch_of(const std::string& change) {
 } // namespace
 
 std::vector<std::string> meniscus_option_keys() {
-    std::vector<std::string> keys = {"balance_momentum", "paper", "model_file"};
+    std::vector<std::string> keys = {"balance_momentum", "contact_friction", "paper", "model_file"};
     for_each_surface_option([&](const auto& option) {
         if (!comes_with_scene(option.name))
             keys.emplace_back(option.name);
@@ -468,6 +468,7 @@ std::vector<std::string> meniscus_option_keys() {
 
 void read_meniscus_options(const JsonReader& reader, TensionOptions& options) {
     take(reader, "balance_momentum", options.balance_momentum);
+    take(reader, "contact_friction", 0, 2, options.contact_friction);
     if (reader.has("paper") && reader.truth("paper"))
         options.surface = paper_options();
     for_each_surface_option([&](const auto& option) {

@@ -77,7 +77,8 @@ Json json_of(const TensionOptions& options) {
                  {"coefficient", options.coefficient},
                  {"restrict_to_surface", options.restrict_to_surface},
                  {"adhesion", options.adhesion},
-                 {"balance_momentum", options.balance_momentum}};
+                 {"balance_momentum", options.balance_momentum},
+                 {"contact_friction", options.contact_friction}};
     for_each_surface_option([&](const auto& option) {
         if (!comes_with_scene(option.name))
             json[option.name] = json_of(option, options.surface);

@@ -3,9 +3,13 @@
 // Included by step_kernel.cpp, inside the region that is compiled for an instruction set.
 #pragma once
 
+#include "leaving.hpp"
+#include "relieve.hpp"
 #include "step.hpp"
+#include "time_step.hpp"
 
 #include <meniscus/sph/fluid/coincident.hpp>
+#include <meniscus/sph/fluid/flat_wall.hpp>
 #include <meniscus/sph/fluid/neighbor_lists.hpp>
 #include <meniscus/sph/fluid/viscosity.hpp>
 #include <meniscus/sph/pressure/pressure_solvers.hpp>
@@ -74,18 +78,18 @@ public:
         solver->prepare(fluid);
         report.seconds.density = clock.lap();
 
-        const double last_step =
-            state.time_step > 0 ? std::min(state.time_step, longest) : time_step_for(0, 0, longest);
+        const double last_step = state.time_step > 0 ? std::min(state.time_step, longest)
+                                                     : time_step_for(scene, 0, 0, longest);
         const double first_speed = max_speed(0);
-        fluid.keeps_rounding = is_short(last_step, first_speed);
+        fluid.keeps_rounding = is_short_step(scene, last_step, first_speed);
         const SolveReport divergence =
             solver->remove_divergence(fluid, static_cast<Real>(last_step));
         report.seconds.divergence = clock.lap();
         add_accelerations(report, clock);
 
         const double speed = max_speed(last_step);
-        report.time_step = time_step_for(speed, max_acceleration(), longest);
-        fluid.keeps_rounding = is_short(report.time_step, speed);
+        report.time_step = time_step_for(scene, speed, max_acceleration(), longest);
+        fluid.keeps_rounding = is_short_step(scene, report.time_step, speed);
         apply_accelerations(static_cast<Real>(report.time_step));
         report.seconds.motion = clock.lap();
         fit_pressures(last_step, report.time_step);
@@ -105,7 +109,7 @@ public:
         report.density_error = pressure.error;
         report.converged = divergence.converged && pressure.converged;
         check(state, report);
-        remove_outside(state);
+        remove_outside(domain, Dimension, state);
         report.seconds.motion += clock.lap();
         return report;
     }
@@ -117,13 +121,13 @@ public:
         for (int round = 0; round < max_rounds; ++round) {
             sort(state);
             find_neighbors();
-            if (find_densities(fluid) || count_denser(max_density) > 0)
+            if (find_densities(fluid) || count_denser(fluid, max_density) > 0)
                 return compressed; // heaps are for the steps themselves
-            const std::size_t denser = count_denser(round == 0 ? 1.1 : 1.01);
+            const std::size_t denser = count_denser(fluid, round == 0 ? 1.1 : 1.01);
             compressed = round == 0 ? denser : compressed;
             if (denser == 0)
                 break;
-            relieve(state);
+            relieve(fluid, 0.1 * scene.particle_spacing / scene.support_radius, state);
         }
         return compressed;
     }
@@ -152,7 +156,7 @@ public:
 
 private:
     Scene scene;
-    std::array<Place, 2> domain;
+    Domain domain;
     const PressureSolverRow& solver_row;
     std::size_t first_count; ///< of particles, before any left the domain
     Fluid<Real, Dimension> fluid;
@@ -205,11 +209,12 @@ private:
                                     static_cast<std::uint32_t>(walls.size()), fluid.loop,
                                     wall_buffers, lists);
         with_kernel<Real, Dimension>(fluid.kernel, [&](auto kernel) {
-            const Real flat = flat_wall_volume(kernel);
             const double spacing = scene.particle_spacing / scene.support_radius;
-            const auto flat_sum = static_cast<Real>(layer_sum(kernel, spacing, 0));
+            const Real flat = flat_wall_volume<Real, Dimension>(kernel, spacing);
+            const auto flat_sum = static_cast<Real>(layer_sum<Real, Dimension>(kernel, spacing, 0));
             fluid.wall_volume_share = flat * flat_sum;
-            contact_density = flat * static_cast<Real>(layer_sum(kernel, spacing, 0.5));
+            contact_density =
+                flat * static_cast<Real>(layer_sum<Real, Dimension>(kernel, spacing, 0.5));
             fluid.loop.each(walls.size(), [&](std::size_t b) {
                 Lanes<Real> sum = kernel.value(Lanes<Real>{}) * Lanes<Real>{1, 0, 0, 0, 0, 0, 0, 0};
                 visit_lists<Real, Dimension>(fluid.wall_place.data(), fluid.wall_place[b], lists, b,
@@ -221,35 +226,6 @@ private:
         });
         for (std::size_t b = 0; b < walls.size(); ++b)
             fluid.wall_place[b].w = rows[b].w;
-    }
-
-    /// The volume of a particle in a flat wall. One layer stands for all that the kernel would find
-    /// behind it: with this volume particles on a lattice one spacing off the wall have the density
-    /// that they have inside. For the cubic spline at two spacings it is 0.70 / sum_k W_bk, the
-    /// factor in use for it.
-    template <class Kernel>
-    [[nodiscard]] Real flat_wall_volume(const Kernel& kernel) const {
-        const double spacing = scene.particle_spacing / scene.support_radius;
-        const int reach = static_cast<int>(1 / spacing) + 1;
-        double behind = 0;
-        for (int layer = 1; layer <= reach; ++layer)
-            behind += layer_sum(kernel, spacing, layer);
-        return static_cast<Real>(std::pow(spacing, Dimension) * behind /
-                                 layer_sum(kernel, spacing, 1));
-    }
-
-    /// The sum of W over a lattice plane (in 2D a row) so many spacings away.
-    template <class Kernel>
-    static double layer_sum(const Kernel& kernel, double spacing, double layer) {
-        const int reach = static_cast<int>(1 / spacing) + 1;
-        double sum = 0;
-        for (int x = -reach; x <= reach; ++x)
-            for (int y = Dimension == 3 ? -reach : 0; y <= (Dimension == 3 ? reach : 0); ++y) {
-                const double squared = spacing * spacing * (x * x + y * y + layer * layer);
-                sum += static_cast<double>(
-                    kernel.value(all_lanes<Lanes<Real>>(static_cast<Real>(squared)))[0]);
-            }
-        return sum;
     }
 
     /// In the order of the walls, which `order` has of add_walls().
@@ -330,37 +306,6 @@ private:
                                     fluid.loop, wall_buffers, fluid.wall_neighbors, &near_walls);
     }
 
-    [[nodiscard]] std::size_t count_denser(double limit) const {
-        return static_cast<std::size_t>(
-            std::count_if(fluid.density.begin(), fluid.density.end(),
-                          [&](Real density) { return density > static_cast<Real>(limit); }));
-    }
-
-    /// Moves particles as pressure would within one step from rest, but no farther than a tenth of
-    /// a spacing.
-    void relieve(SimulationState& state) {
-        const Real max_move =
-            static_cast<Real>(0.1 * scene.particle_spacing / scene.support_radius);
-        PressureSystem<Real, Dimension> system;
-        std::vector<Real> pressure(fluid.count, 0);
-        fluid.keeps_rounding = false;
-        for (Row<Real>& velocity : fluid.velocity)
-            velocity = {0, 0, 0, velocity.w};
-        system.prepare(fluid);
-        system.set_source(fluid, 1, [&](std::size_t i) { return fluid.density[i] - 1; });
-        system.iterate(fluid, 1, 1e-5, {}, pressure);
-        fluid.loop.each(fluid.count, [&](std::size_t i) {
-            const Row<Real> move = fluid.velocity[i];
-            const Real length = std::sqrt(dot_rows(move, move));
-            const double scale = scene.support_radius *
-                                 static_cast<double>(length > max_move ? max_move / length : 1);
-            for (int axis = 0; axis < Dimension; ++axis)
-                state.positions[i][axis] += scale * static_cast<double>(axis == 0   ? move.x
-                                                                        : axis == 1 ? move.y
-                                                                                    : move.z);
-        });
-    }
-
     void add_accelerations(StepReport& report, StageClock& clock) {
         const double h = scene.support_radius;
         const Row<Real> gravity{static_cast<Real>(scene.gravity[0] / h),
@@ -410,47 +355,12 @@ private:
         }));
     }
 
-    /// The step that the CFL condition and the accelerations allow (Monaghan 1992), or the fixed
-    /// one.
-    [[nodiscard]] double time_step_for(double speed, double acceleration, double longest) const {
-        const TimeStepOptions& options = scene.time_step;
-        if (options.fixed)
-            return std::min(*options.fixed, longest);
-        const double spacing = scene.particle_spacing / scene.support_radius;
-        double step = std::min(options.max, options.courant_factor * longest_stable_step(scene));
-        if (speed > 0)
-            step = std::min(step, 0.4 * options.courant_factor * spacing / speed);
-        if (acceleration > 0)
-            step = std::min(step, 0.4 * options.courant_factor * std::sqrt(spacing / acceleration));
-        return std::min(std::max(step, options.min), longest);
-    }
-
-    /// The longest step, s, that is stable at that speed.
-    [[nodiscard]] double stable_step(double speed) const {
-        double step =
-            std::min(std::max(scene.time_step.max, default_max_time_step(scene.particle_spacing)),
-                     longest_stable_step(scene));
-        if (speed > 0)
-            step = std::min(step, 0.4 * scene.particle_spacing / (speed * scene.support_radius));
-        return step;
-    }
-
-    [[nodiscard]] bool is_short(double dt, double speed) const {
-        return dt < stable_step(speed) / 8;
-    }
-
-    /// The time, s, within which solvers that iterate take compression back: that of the step, but
-    /// longer, up to a whole stable one, where the step is short. What a short step took back at
-    /// once would throw particles apart, the faster, the shorter it is.
-    [[nodiscard]] double solve_time(double dt, double speed) const {
-        if (!solver_row.iterates || !is_short(dt, speed))
-            return dt;
-        const double stable = stable_step(speed);
-        return std::min(stable, stable * stable / (64 * dt));
+    [[nodiscard]] double time_to_solve(double dt, double speed) const {
+        return solver_row.iterates ? solve_time(scene, dt, speed) : dt;
     }
 
     SolveReport solve_pressure(double dt, double speed) {
-        const double ahead = solve_time(dt, speed);
+        const double ahead = time_to_solve(dt, speed);
         scale_pressures(dt / ahead); // the state keeps them as they act during a step
         const SolveReport report = solver->solve(fluid, static_cast<Real>(ahead));
         scale_pressures(ahead / dt);
@@ -484,7 +394,7 @@ private:
 
     /// The same where steps stay as they are, but solves get more time since particles slow down.
     void fit_pressures_to_speeds(double dt, double last_speed, double speed) {
-        fit_pressures(solve_time(dt, last_speed), solve_time(dt, speed));
+        fit_pressures(time_to_solve(dt, last_speed), time_to_solve(dt, speed));
     }
 
     /// Takes out the approach to a wall that would lead closer to it than half a spacing. Pressure
@@ -521,27 +431,12 @@ private:
         ++state.steps;
     }
 
-    [[nodiscard]] bool is_in_domain(const Place& place) const {
-        for (int axis = 0; axis < Dimension; ++axis) // false for NaN as well
-            if (!(place[axis] >= domain[0][axis] && place[axis] <= domain[1][axis]))
-                return false;
-        return true;
-    }
-
-    /// How many particles may leave the domain.
-    [[nodiscard]] std::size_t max_removed() const {
-        if (scene.leaving == Leaving::stop)
-            return 0;
-        return scene.leaving == Leaving::remove ? first_count - 1
-                                                : std::max<std::size_t>(first_count / 100, 1);
-    }
-
     void check(const SimulationState& state, const StepReport& report) const {
         const double outside = fluid.loop.sum(fluid.count, [&](std::size_t i) {
-            return is_in_domain(state.positions[i]) ? 0.0 : 1.0;
+            return is_in_domain(state.positions[i], domain, Dimension) ? 0.0 : 1.0;
         });
         const std::size_t lost = first_count - fluid.count + static_cast<std::size_t>(outside);
-        const bool too_many = outside > 0 && lost > max_removed();
+        const bool too_many = outside > 0 && lost > max_removed(scene.leaving, first_count);
         if (too_many || !are_finite(state) || !(report.density_error <= max_density_error))
             throw_divergence(state, report);
         if (report.max_speed * report.time_step > longest_move * scene.support_radius)
@@ -553,28 +448,6 @@ private:
             const Place& place = state.positions[i];
             return place[0] + place[1] + place[2];
         }));
-    }
-
-    /// Takes out of the state what has left the domain.
-    void remove_outside(SimulationState& state) const {
-        std::size_t kept = 0;
-        for (std::size_t i = 0; i < state.positions.size(); ++i) {
-            if (!is_in_domain(state.positions[i]))
-                continue;
-            if (kept != i) {
-                state.ids[kept] = state.ids[i];
-                state.positions[kept] = state.positions[i];
-                state.velocities[kept] = state.velocities[i];
-                state.pressures[kept] = state.pressures[i];
-                state.divergences[kept] = state.divergences[i];
-            }
-            ++kept;
-        }
-        state.ids.resize(kept);
-        state.positions.resize(kept);
-        state.velocities.resize(kept);
-        state.pressures.resize(kept);
-        state.divergences.resize(kept);
     }
 
     [[noreturn]] void throw_divergence(const SimulationState& state,
@@ -592,7 +465,7 @@ void FluidStep<Real, Dimension>::throw_divergence(const SimulationState& state,
     std::uint32_t particle = std::numeric_limits<std::uint32_t>::max();
     Place place{};
     for (std::size_t i = 0; i < fluid.count; ++i)
-        if (!is_in_domain(state.positions[i]) && state.ids[i] < particle) {
+        if (!is_in_domain(state.positions[i], domain, Dimension) && state.ids[i] < particle) {
             particle = state.ids[i];
             place = state.positions[i];
         }

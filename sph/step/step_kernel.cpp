@@ -1,5 +1,7 @@
 // The step, compiled for each instruction set.
+#include "leaving.hpp"
 #include "step.hpp"
+#include "time_step.hpp"
 
 #include <meniscus/sph/scene/methods.hpp>
 

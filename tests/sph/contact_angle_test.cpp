@@ -3,7 +3,6 @@
 #include "small_scenes.hpp"
 
 #include <meniscus/data/particles/particle_arrays.hpp>
-#include <meniscus/sph/scene/methods.hpp>
 
 namespace meniscus {
 namespace {
@@ -60,6 +59,17 @@ TEST(ContactAngle, ALevelLayerBetweenWallsRests) {
         EXPECT_LT(simulation->balance().max_speed, 0.05); // 0.8 m/s is the capillary speed
         EXPECT_EQ(simulation->size(), 200U);
     }
+}
+
+TEST(ContactAngle, ALayerAsThinAsWaterRestsSinceItsContactLinesHaveFriction) {
+    Scene scene = water_scene(90, 1e-6);
+    scene.gravity = {0, -9.81, 0};
+    scene.fluid = {{BoxShape{{0, 0, 0}, {4e-3, 3e-3, 0}, {}}, {}}};
+    scene.walls = {BoxShape{{-5e-5, -5e-5, 0}, {4.05e-3, 6e-3, 0}, {"+y"}}};
+    const auto simulation = start(scene);
+    EXPECT_LT(largest_energy(*simulation, 0.05), 1.005);
+    EXPECT_LT(simulation->balance().max_speed, 0.1);
+    EXPECT_EQ(simulation->size(), 1200U);
 }
 
 TEST(ContactAngle, AHalfDiscThatStartsHalfASpacingFromTheWallRests) {
@@ -145,45 +155,6 @@ TEST(Suction, HoldsANeckTogether) {
     scene.fluid = {{low, {}}, {high, {}}};
     const auto simulation = start(scene);
     EXPECT_LT(largest_energy(*simulation, 0.006), 1.02);
-}
-
-TEST(Leaving, ParticlesAreRemovedAndCounted) {
-    Scene scene = tank_scene(empty_scene(3, "dfsph"), {6, 6, 6}, 4);
-    SceneParticles particles = fill_scene(scene);
-    particles.positions.push_back({0.3, 1.2, 0.3});
-    particles.velocities.assign(particles.positions.size(), {});
-    particles.velocities.back() = {0, 20, 0};
-    const auto simulation = simulate(scene, particles, 1);
-    run_until(*simulation, 0.2);
-    EXPECT_EQ(simulation->size(), particles.positions.size() - 1);
-    const Snapshot frame = simulation->snapshot();
-    EXPECT_EQ(frame.size(), simulation->size());
-    EXPECT_EQ(scalar_values(frame, "id").back(), static_cast<double>(simulation->size()) - 1);
-
-    scene.leaving = Leaving::stop;
-    const auto stopped = simulate(scene, particles, 1);
-    EXPECT_THROW(run_until(*stopped, 0.2), Divergence);
-}
-
-TEST(Leaving, MoreThanAHundredthEndsARunThatDoesNotSayOtherwise) {
-    Scene scene = tank_scene(empty_scene(3, "dfsph"), {6, 6, 6}, 4);
-    SceneParticles particles = fill_scene(scene);
-    for (int k = 0; k < 4; ++k) {
-        particles.positions.push_back({0.1 + 0.12 * k, 1.2, 0.3});
-        particles.velocities.push_back({0, 20, 0});
-    }
-    EXPECT_THROW(run_until(*simulate(scene, particles, 1), 0.2), Divergence);
-    scene.leaving = Leaving::remove;
-    const auto simulation = simulate(scene, particles, 1);
-    run_until(*simulation, 0.2);
-    EXPECT_EQ(simulation->size(), particles.positions.size() - 4);
-}
-
-TEST(TimeStep, IsBoundByGravityAndSpacing) {
-    Scene scene = tank_scene(empty_scene(3, "dfsph"), {6, 6, 6}, 4);
-    EXPECT_NEAR(longest_stable_step(scene), 0.15 * std::sqrt(0.1 / 9.81), 1e-9);
-    EXPECT_EQ(default_max_time_step(0.1), 5e-3);
-    EXPECT_EQ(default_max_time_step(0.002), 1e-3);
 }
 
 } // namespace

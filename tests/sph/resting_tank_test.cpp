@@ -139,5 +139,22 @@ TEST(RestingTank, ComesToRestWithPressuresThatPull) {
             expect_rest(2, Precision::float32, solver, false);
 }
 
+/// Viscosity asks for steps that are short beside what gravity and speeds allow.
+TEST(RestingTank, StaysAtRestInTheShortStepsOfAThickFluid) {
+    for (const NamedSolver& solver : all_solvers) {
+        if (solver.kind == "wcsph")
+            continue; // takes as much time for a compression as its sound
+        SCOPED_TRACE(solver.name);
+        Scene scene = tank_scene(empty_scene(2, solver.kind), {10, 14, 1}, 10);
+        scene.viscosity.kinematic = 10;
+        const auto simulation = start(scene);
+        const Balance before = simulation->balance();
+        run_until(*simulation, 0.1);
+        const Balance after = simulation->balance();
+        EXPECT_LT(after.kinetic_energy, 1e-5 * before.potential_energy);
+        EXPECT_LT(after.potential_energy, 1.002 * before.potential_energy);
+    }
+}
+
 } // namespace
 } // namespace meniscus

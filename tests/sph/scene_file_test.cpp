@@ -45,7 +45,7 @@ const char* full_scene = R"({
                "accelerate": false},
   "viscosity": {"kinematic": 0.02, "density_correction": true, "xsph": 0.1},
   "surface_tension": {"model": "meniscus", "coefficient": 3, "samples": 64, "verification": "exact",
-                      "balance_momentum": false, "k": 74.7, "d": 28, "paper": true},
+                      "balance_momentum": false, "contact_friction": 0.5, "k": 74.7, "d": 28, "paper": true},
   "time_step": {"courant_factor": 0.5, "min": 0.0001, "max": 0.002},
   "variants": {
     "large": {"particle_spacing": 0.05, "pressure": {"density_error": 0.001}},
@@ -129,6 +129,7 @@ TEST_F(SceneFile, ReadsEveryValue) {
     EXPECT_EQ(read.surface_tension.model, "meniscus");
     EXPECT_EQ(read.surface_tension.coefficient, 3);
     EXPECT_FALSE(read.surface_tension.balance_momentum);
+    EXPECT_EQ(read.surface_tension.contact_friction, 0.5);
     EXPECT_EQ(read.surface_tension.surface.samples, 64U);
     EXPECT_EQ(read.surface_tension.surface.verification, Verification::exact);
     EXPECT_EQ(read.surface_tension.surface.k, 74.7);
@@ -263,6 +264,7 @@ TEST_F(SceneFile, NamesWhatIsOutOfRange) {
         {"/walls/0/box/open", {{"x"}, {"+x", "+x"}, {1}, {"-x", "+x", "-y", "+y", "-z", "+z"}}},
         {"/walls/2/mesh/scale", {0, -1, huge}},
         {"/walls/0/contact_angle", {0, 9, 171, "90"}},
+        {"/surface_tension/contact_friction", {-1, 2.5, "1"}},
         {"/leaving", {"go", 1}},
         {"/domain/high", {{-60, 1, 1}}},
         {"/kernel", {"cubic", 1}},
