@@ -2,6 +2,7 @@
 
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/text.hpp>
+#include <meniscus/runtime/surface/host_quantities.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -64,7 +65,6 @@ bool has_sigma(const TensionOptions& options) {
 }
 
 double longest_stable_step(const Scene& scene) {
-    constexpr double two_pi = 6.283185307179586;
     const double spacing = scene.particle_spacing;
     double step =
         pressure_solvers()[pressure_solver_place(scene.pressure.solver)].longest_stable_step(scene);
@@ -73,8 +73,7 @@ double longest_stable_step(const Scene& scene) {
                                   scene.viscosity.kinematic);
     const double sigma = scene.surface_tension.coefficient;
     if (has_sigma(scene.surface_tension) && sigma > 0)
-        step = std::min(
-            step, std::sqrt(scene.rest_density * spacing * spacing * spacing / (two_pi * sigma)));
+        step = std::min(step, capillary_time_step(sigma, scene.rest_density, spacing));
     // A step that falls farther than this share of a spacing asks more of the pressure than it
     // can give back without throwing particles up.
     constexpr double falling_share = 0.15 * 0.15;
