@@ -4,6 +4,8 @@
 #include <meniscus/runtime/simd/begin_kernel.hpp>
 
 #include <meniscus/runtime/features/check_neighborhood.hpp>
+#include <meniscus/runtime/neighbors/held_traps.hpp>
+#include <meniscus/runtime/neighbors/wall_planes.hpp>
 #include <meniscus/runtime/surface/surface_tension.hpp>
 
 namespace meniscus {
@@ -67,33 +69,60 @@ FeatureSum<Real, Dimension> sum_features(const HostLists<Real, Dimension>& view,
     }
 }
 
-/// View over the boundary, which may be none: known at run time only. Weights take the place of
-/// masses.
+/// Walls that are no particles, as WallPlanes takes them.
 template <class Real, int Dimension>
+struct HostWalls {
+    std::size_t count;
+    const Real* distances;
+    const Real* normals;
+
+    template <class Visit>
+    void operator()(std::size_t i, Visit&& visit) const {
+        for (std::size_t wall = 0; wall < count; ++wall) {
+            const std::size_t n = i * count + wall;
+            visit(wall, distances[n], normals + n * Dimension);
+        }
+    }
+};
+
+/// View over the boundary, which may be none: known at run time only. Weights take the place of
+/// masses. Walls have the numbers from first_wall on.
+template <class Real, int Dimension, class Radii>
 struct HostBoundary {
     static constexpr bool is_there = true;
+    static constexpr std::size_t first_wall = ~(~std::size_t{0} >> 1);
     HostLists<Real, Dimension> lists;
     const float* contact_angles;
+    std::optional<WallPlanes<Dimension, Radii, HostWalls<Real, Dimension>>> walls;
+    const float* contact_angles_of_walls;
 
     template <class Visit>
     void operator()(std::size_t i, Visit&& visit) const {
         if (lists.rows.offsets != nullptr)
             lists(i, visit);
+        if (walls)
+            (*walls)(i, [&](std::size_t wall, const auto& displacement, Real weight) {
+                visit(first_wall + wall, displacement, weight);
+            });
     }
 };
 
-template <class Real, int Dimension>
-double contact_angle_at(const HostBoundary<Real, Dimension>& boundary, std::size_t b,
+template <class Real, int Dimension, class Radii>
+double contact_angle_at(const HostBoundary<Real, Dimension, Radii>& boundary, std::size_t b,
                         double usual) {
-    return boundary.contact_angles != nullptr ? static_cast<double>(boundary.contact_angles[b])
-                                              : usual;
+    const bool is_wall = b >= boundary.first_wall;
+    const float* const angles =
+        is_wall ? boundary.contact_angles_of_walls : boundary.contact_angles;
+    if (angles == nullptr)
+        return usual;
+    return static_cast<double>(angles[is_wall ? b - boundary.first_wall : b]);
 }
 
 template <class Real, int Dimension>
 class SurfaceStepKernel final : public SurfaceStep {
 public:
     SurfaceStepKernel(const SurfaceTensionOptions& options, int threads)
-        : tension(options), loop{threads > 0 ? threads : omp_get_max_threads()} {}
+        : tension(options), loop{{threads > 0 ? threads : usual_threads()}} {}
 
     void reserve(std::size_t particles, std::size_t neighbors) override {
         tension.reserve(particles, neighbors, loop.workers());
@@ -105,23 +134,37 @@ public:
 
     void set_line(double k, double d) override { tension.set_line({k, d}); }
 
+    void set_surface_tension(double sigma) override { tension.set_surface_tension(sigma); }
+
+    void set_contact_angle(double angle) override { tension.set_contact_angle(angle); }
+
+    void set_fade(double fade) override { tension.set_fade(fade); }
+
+    void set_smoothing(int normal_passes, int curvature_passes) override {
+        tension.set_smoothing(normal_passes, curvature_passes);
+    }
+
     void step(const StepParticles& particles) override {
         with_radii(particles, [&](const auto& radii) { step_with(particles, radii); });
     }
 
     void check(const StepParticles& particles) const override {
+        const HeldTraps held;
         with_radii(particles, [&](const auto& radii) {
             const Lists view = fluid(particles);
             check_lists<Real, Dimension>(view, particles.count, radii);
+            check_support_radius<Real, Dimension>(view, particles.count, radii);
             check_spacing_ratio<Real, Dimension>(view, particles.count, radii,
                                                  tension.options().spacing_ratio);
         });
     }
 
     void balance_momentum(const StepParticles& particles) override {
+        const HeldTraps held; // the step has started all threads, which have their own
         with_radii(particles, [&](const auto& radii) {
-            tension.template balance_momentum<Dimension>(fluid(particles), boundary(particles),
-                                                         radii, packed_positions(particles), loop);
+            tension.template balance_momentum<Dimension>(fluid(particles),
+                                                         boundary(particles, radii), radii,
+                                                         packed_positions(particles), loop);
         });
     }
 
@@ -143,7 +186,7 @@ private:
     using Lists = HostLists<Real, Dimension>;
 
     SurfaceTension<Real, Dimension> tension;
-    OpenMpLoop loop;
+    WithHeldTraps<HostLoop> loop;
     std::vector<std::uint32_t> row_lengths; ///< of each particle
     std::vector<Real> packed;               ///< positions without padding
 
@@ -158,20 +201,34 @@ private:
                 positions};
     }
 
-    static HostBoundary<Real, Dimension> boundary(const StepParticles& particles) {
+    template <class Radii>
+    [[nodiscard]] HostBoundary<Real, Dimension, Radii> boundary(const StepParticles& particles,
+                                                                const Radii& radii) const {
         const void* offsets =
             particles.boundary_positions != nullptr ? particles.boundary_offsets : nullptr;
-        return {Lists{static_cast<const Real*>(particles.boundary_positions), stride_of(particles),
-                      static_cast<const Real*>(particles.boundary_weights),
-                      HostRows{offsets, particles.wide_offsets, particles.boundary_neighbors},
-                      static_cast<const Real*>(particles.positions)},
-                particles.boundary_contact_angles};
+        HostBoundary<Real, Dimension, Radii> all{
+            Lists{static_cast<const Real*>(particles.boundary_positions), stride_of(particles),
+                  static_cast<const Real*>(particles.boundary_weights),
+                  HostRows{offsets, particles.wide_offsets, particles.boundary_neighbors},
+                  static_cast<const Real*>(particles.positions)},
+            particles.boundary_contact_angles,
+            {},
+            particles.wall_contact_angles};
+        if (particles.wall_count > 0)
+            all.walls.emplace(
+                HostWalls<Real, Dimension>{particles.wall_count,
+                                           static_cast<const Real*>(particles.wall_distances),
+                                           static_cast<const Real*>(particles.wall_normals)},
+                radii, tension.options().spacing_ratio);
+        return all;
     }
 
     template <class Do>
     static void with_radii(const StepParticles& particles, const Do& act) {
         if (particles.support_radii != nullptr)
             act(VaryingRadii<Real>{static_cast<const Real*>(particles.support_radii)});
+        else if (particles.count == 0) // any: none need be given
+            act(UniformRadius<Real>{1});
         else
             act(UniformRadius<Real>{static_cast<Real>(particles.support_radius)});
     }
@@ -179,7 +236,7 @@ private:
     template <class Radii>
     void step_with(const StepParticles& particles, const Radii& radii) {
         const Lists view = fluid(particles);
-        const auto walls = boundary(particles);
+        const auto walls = boundary(particles, radii);
         if (particles.candidates != nullptr) {
             row_lengths.resize(particles.count); // no particle has more neighbors than that
             for (std::size_t i = 0; i < particles.count; ++i)
