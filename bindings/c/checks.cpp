@@ -237,6 +237,7 @@ StepParticles step_particles(const meniscus_particles& from) {
     to.neighbors = from.neighbors;
     to.wide_offsets = from.offset_bits == 64;
     to.boundary_positions = from.boundary_positions;
+    to.boundary_count = from.boundary_count;
     to.boundary_offsets = from.boundary_offsets;
     to.boundary_neighbors = from.boundary_neighbors;
     to.boundary_weights = from.boundary_weights;

@@ -41,6 +41,7 @@ struct StepParticles {
     // Boundary particles cover, count where the options say so, and fluid that has one within h
     // touches a wall.
     const void* boundary_positions = nullptr; ///< real, `stride` values each; nullptr: none
+    std::size_t boundary_count = 0;           ///< needed with walls alone
     const void* boundary_offsets = nullptr;
     const std::uint32_t* boundary_neighbors = nullptr; ///< around each fluid particle
     /// real, how many fluid particles each stands for (runtime/neighbors/boundary.hpp); nullptr: 1

@@ -86,37 +86,91 @@ struct HostWalls {
 };
 
 /// View over the boundary, which may be none: known at run time only. Weights take the place of
-/// masses. Walls have the numbers from first_wall on.
-template <class Real, int Dimension, class Radii>
+/// masses.
+template <class Real, int Dimension>
 struct HostBoundary {
     static constexpr bool is_there = true;
-    static constexpr std::size_t first_wall = ~(~std::size_t{0} >> 1);
     HostLists<Real, Dimension> lists;
     const float* contact_angles;
-    std::optional<WallPlanes<Dimension, Radii, HostWalls<Real, Dimension>>> walls;
-    const float* contact_angles_of_walls;
 
     template <class Visit>
     void operator()(std::size_t i, Visit&& visit) const {
         if (lists.rows.offsets != nullptr)
             lists(i, visit);
-        if (walls)
-            (*walls)(i, [&](std::size_t wall, const auto& displacement, Real weight) {
-                visit(first_wall + wall, displacement, weight);
-            });
     }
 };
 
-template <class Real, int Dimension, class Radii>
-double contact_angle_at(const HostBoundary<Real, Dimension, Radii>& boundary, std::size_t b,
+template <class Real, int Dimension>
+double contact_angle_at(const HostBoundary<Real, Dimension>& boundary, std::size_t b,
                         double usual) {
-    const bool is_wall = b >= boundary.first_wall;
-    const float* const angles =
-        is_wall ? boundary.contact_angles_of_walls : boundary.contact_angles;
-    if (angles == nullptr)
-        return usual;
-    return static_cast<double>(angles[is_wall ? b - boundary.first_wall : b]);
+    return boundary.contact_angles != nullptr ? static_cast<double>(boundary.contact_angles[b])
+                                              : usual;
 }
+
+/// Boundary particles in lists: those of the host, and with them the layers that stand in for walls
+/// which are none. Made in each step of a host that has such walls, so that all others pay nothing.
+template <class Real, int Dimension>
+class ListedWalls {
+public:
+    template <class Radii>
+    HostBoundary<Real, Dimension> list(const HostBoundary<Real, Dimension>& host,
+                                       const StepParticles& particles, const Radii& radii,
+                                       const SurfaceTensionOptions& options) {
+        const HeldTraps held;
+        const HostWalls<Real, Dimension> walls{particles.wall_count,
+                                               static_cast<const Real*>(particles.wall_distances),
+                                               static_cast<const Real*>(particles.wall_normals)};
+        const auto planes = wall_planes_of<Dimension>(walls, radii, options.spacing_ratio);
+        copy_boundary(host, particles, options);
+        offsets.assign(1, 0);
+        neighbors.clear();
+        for (std::size_t i = 0; i < particles.count; ++i) {
+            if (host.lists.rows.offsets != nullptr)
+                neighbors.insert(neighbors.end(),
+                                 host.lists.rows.neighbors + host.lists.rows.begin(i),
+                                 host.lists.rows.neighbors + host.lists.rows.begin(i + 1));
+            const Real* const center = host.lists.centers + i * host.lists.stride;
+            planes(i, [&](std::size_t wall, const auto& displacement, Real weight) {
+                neighbors.push_back(static_cast<std::uint32_t>(weights.size()));
+                const std::size_t place = positions.size();
+                positions.resize(place + host.lists.stride);
+                for (std::size_t axis = 0; axis < Dimension; ++axis)
+                    positions[place + axis] = center[axis] + displacement[axis];
+                weights.push_back(weight);
+                contact_angles.push_back(
+                    angle_or(particles.wall_contact_angles, wall, options.contact_angle));
+            });
+            offsets.push_back(neighbors.size());
+        }
+        if (weights.size() > std::numeric_limits<std::uint32_t>::max())
+            refuse("there are more than 2^32 places of walls around particles");
+        return {{positions.data(), host.lists.stride, weights.data(),
+                 HostRows{offsets.data(), true, neighbors.data()}, host.lists.centers},
+                contact_angles.data()};
+    }
+
+private:
+    std::vector<Real> positions, weights;
+    std::vector<std::uint64_t> offsets;
+    std::vector<std::uint32_t> neighbors;
+    std::vector<float> contact_angles;
+
+    static float angle_or(const float* angles, std::size_t b, double usual) {
+        return angles != nullptr ? angles[b] : static_cast<float>(usual);
+    }
+
+    void copy_boundary(const HostBoundary<Real, Dimension>& host, const StepParticles& particles,
+                       const SurfaceTensionOptions& options) {
+        const std::size_t count = host.lists.rows.offsets != nullptr ? particles.boundary_count : 0;
+        positions.assign(host.lists.positions, host.lists.positions + count * host.lists.stride);
+        weights.assign(count, 1);
+        if (host.lists.masses != nullptr)
+            weights.assign(host.lists.masses, host.lists.masses + count);
+        contact_angles.clear();
+        for (std::size_t b = 0; b < count; ++b)
+            contact_angles.push_back(angle_or(host.contact_angles, b, options.contact_angle));
+    }
+};
 
 template <class Real, int Dimension>
 class SurfaceStepKernel final : public SurfaceStep {
@@ -187,6 +241,7 @@ private:
 
     SurfaceTension<Real, Dimension> tension;
     WithHeldTraps<HostLoop> loop;
+    ListedWalls<Real, Dimension> walls;
     std::vector<std::uint32_t> row_lengths; ///< of each particle
     std::vector<Real> packed;               ///< positions without padding
 
@@ -202,25 +257,17 @@ private:
     }
 
     template <class Radii>
-    [[nodiscard]] HostBoundary<Real, Dimension, Radii> boundary(const StepParticles& particles,
-                                                                const Radii& radii) const {
+    HostBoundary<Real, Dimension> boundary(const StepParticles& particles, const Radii& radii) {
         const void* offsets =
             particles.boundary_positions != nullptr ? particles.boundary_offsets : nullptr;
-        HostBoundary<Real, Dimension, Radii> all{
+        const HostBoundary<Real, Dimension> host{
             Lists{static_cast<const Real*>(particles.boundary_positions), stride_of(particles),
                   static_cast<const Real*>(particles.boundary_weights),
                   HostRows{offsets, particles.wide_offsets, particles.boundary_neighbors},
                   static_cast<const Real*>(particles.positions)},
-            particles.boundary_contact_angles,
-            {},
-            particles.wall_contact_angles};
-        if (particles.wall_count > 0)
-            all.walls.emplace(
-                HostWalls<Real, Dimension>{particles.wall_count,
-                                           static_cast<const Real*>(particles.wall_distances),
-                                           static_cast<const Real*>(particles.wall_normals)},
-                radii, tension.options().spacing_ratio);
-        return all;
+            particles.boundary_contact_angles};
+        return particles.wall_count == 0 ? host
+                                         : walls.list(host, particles, radii, tension.options());
     }
 
     template <class Do>
@@ -236,16 +283,16 @@ private:
     template <class Radii>
     void step_with(const StepParticles& particles, const Radii& radii) {
         const Lists view = fluid(particles);
-        const auto walls = boundary(particles, radii);
+        const auto around = boundary(particles, radii);
         if (particles.candidates != nullptr) {
             row_lengths.resize(particles.count); // no particle has more neighbors than that
             for (std::size_t i = 0; i < particles.count; ++i)
                 row_lengths[i] =
                     static_cast<std::uint32_t>(view.rows.begin(i + 1) - view.rows.begin(i));
-            tension.step(view, walls, particles.count, radii, particles.ids, particles.candidates,
+            tension.step(view, around, particles.count, radii, particles.ids, particles.candidates,
                          row_lengths.data(), loop);
         } else {
-            tension.step(view, walls, particles.count, radii, particles.ids, loop);
+            tension.step(view, around, particles.count, radii, particles.ids, loop);
         }
     }
 

@@ -237,6 +237,36 @@ TEST(HostInput, WallsAsDistances) {
     // At a wall a component keeps its net force.
     EXPECT_EQ(meniscus_balance_momentum(surface.get(), &particles), MENISCUS_OK);
     EXPECT_EQ(forces(), at_60);
+    // Beside boundary particles, which go on counting.
+    const std::vector<double> far_wall(3, -50.0);
+    const std::vector<std::uint64_t> none(host.count + 1, 0);
+    particles.boundary_count = 1;
+    particles.boundary_positions = far_wall.data();
+    particles.boundary_offsets = none.data();
+    EXPECT_EQ(meniscus_check(surface.get(), &particles), MENISCUS_OK) << meniscus_last_error();
+    EXPECT_EQ(forces(), at_60);
+    std::vector<double> lid;
+    std::vector<std::uint64_t> rows{0};
+    std::vector<std::uint32_t> beside;
+    for (int n = 0; n < 100; ++n)
+        lid.insert(lid.end(), {0.5 * (n % 10 - 2), 0.5 * (n / 10 - 2), 3.0});
+    for (std::size_t i = 0; i < host.count; ++i) {
+        for (std::uint32_t b = 0; b < 100; ++b)
+            beside.push_back(b);
+        rows.push_back(beside.size());
+    }
+    particles.boundary_count = 100;
+    particles.boundary_positions = lid.data();
+    particles.boundary_offsets = rows.data();
+    particles.boundary_neighbors = beside.data();
+    EXPECT_NE(class_of_bottom(), MENISCUS_AT_SURFACE);
+    std::vector<std::uint8_t> classes(host.count);
+    meniscus_scatter(surface.get(), classes.data(), nullptr, nullptr, nullptr, nullptr, 0);
+    EXPECT_NE(classes[host.count - 1 - bottom], MENISCUS_AT_SURFACE);
+    particles.wall_count = 0;
+    EXPECT_EQ(class_of_bottom(), MENISCUS_AT_SURFACE);
+    particles.wall_count = 2;
+    particles.boundary_positions = nullptr;
     distances[2 * 7] = std::numeric_limits<double>::quiet_NaN();
     expect_bad(meniscus_check(surface.get(), &particles), "particles.wall_distances[14]");
     distances[2 * 7] = 0.1;
