@@ -48,23 +48,18 @@ void check_radii(const void* values, std::size_t count) {
                 "is more than 1000000 times the smallest; are all in m?");
 }
 
-/// Throws where sums of masses over neighbors, times distances, may leave the range of Real.
+/// Throws where a sum of masses over neighbors may leave the range of Real, or has lost its digits.
 template <class Real>
-void check_masses(const meniscus_particles& particles) {
-    check_positive<Real>("masses", particles.masses, particles.count);
-    const auto* masses = static_cast<const Real*>(particles.masses);
-    constexpr auto smallest = static_cast<double>(std::numeric_limits<Real>::min());
-    const double largest = 1 / smallest / 4 / static_cast<double>(particles.count + 1);
-    const auto* radii = static_cast<const Real*>(particles.support_radii);
-    for (std::size_t i = 0; masses != nullptr && i < particles.count; ++i) {
-        const auto mass = static_cast<double>(masses[i]);
-        const double radius =
-            radii != nullptr ? static_cast<double>(radii[i]) : particles.support_radius;
-        if (mass < smallest / std::min(radius, 1.0) || mass > largest / std::max(radius, 1.0))
+void check_masses(const void* values, std::size_t count) {
+    check_positive<Real>("masses", values, count);
+    const auto* masses = static_cast<const Real*>(values);
+    constexpr Real smallest = std::numeric_limits<Real>::min();
+    const Real largest = std::numeric_limits<Real>::max() / static_cast<Real>(count + 1);
+    for (std::size_t i = 0; masses != nullptr && i < count; ++i)
+        if (masses[i] < smallest || masses[i] > largest)
             fail_at("masses", i,
                     "is so small or large that sums over neighbors leave the range of the number "
                     "type; is it in kg?");
-    }
 }
 
 /// Throws where Real cannot tell a position from its neighbors'.
@@ -151,7 +146,7 @@ void check_contents(const meniscus_particles& particles, std::size_t dimension) 
     const std::size_t stride = particles.stride != 0 ? particles.stride : dimension;
     check_vectors<Real>("positions", particles.positions, count, stride, dimension);
     check_radii<Real>(particles.support_radii, count);
-    check_masses<Real>(particles);
+    check_masses<Real>(particles.masses, count);
     check_distances<Real>(particles, stride, dimension);
     check_rows("offsets", particles.offset_bits, particles.offsets, particles.neighbors, count,
                count);

@@ -79,6 +79,8 @@ TEST(HostInput, FewParticlesThatAreFineAsTheyAre) {
     for (const auto& places : std::vector<std::vector<std::array<double, 3>>>{
              {{0, 0, 0}},
              {{0, 0, 0}, {0, 0, 0.3}},
+             {{0, 0, 0}, {0, 0, 1}},
+             {{0, 0, 0}, {0, 0, 1.004}}, // listed by a search with a margin
              {{0, 0, 0}, {0, 0, 0.3}, {5, 5, 5}, {5, 5, 5.3}},
              {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}}) {
         const Host<double, 3> host(Fluid<double, 3>(places, 1));
