@@ -56,7 +56,8 @@ public:
     /// What the last step found.
     [[nodiscard]] const SurfaceParticles<Real, Dimension>& surface() const { return list; }
 
-    /// As given, but for the classifier and the map where those that ship were asked for.
+    /// As given and set since, but for the classifier and the map where those that ship were asked
+    /// for.
     [[nodiscard]] const SurfaceTensionOptions& options() const { return settings; }
 
     /// Room for so many particles, neighbors a particle and workers of the loop: steps with no more
@@ -116,12 +117,13 @@ public:
     }
 
     /// One step over `count` particles: classes, normals, curvatures and forces of the surface.
-    /// `view` delivers neighbors of the same phase; `boundary` is a BoundaryView or NoBoundary;
-    /// `radii` a UniformRadius or VaryingRadii; `ids` one number a particle that stays its own, or
-    /// nullptr where particles keep their index. Never NaN from finite input. Throws
-    /// std::invalid_argument, with the last step's results as they were, where Real cannot
-    /// calculate with a support radius, or with two of them together (position_resolution.hpp), or
-    /// with forces of such a sigma at such radii, or the history's share is out of its range.
+    /// `view` delivers neighbors of the same phase; `boundary` is a BoundaryView, WallPlanes
+    /// (wall_planes.hpp) or NoBoundary; `radii` a UniformRadius or VaryingRadii; `ids` one number a
+    /// particle that stays its own, or nullptr where particles keep their index. Never NaN from
+    /// finite input. Throws std::invalid_argument, with the last step's results as they were, where
+    /// Real cannot calculate with a support radius, or with two of them together
+    /// (position_resolution.hpp), or with forces of such a sigma at such radii, or the history's
+    /// share is out of its range.
     template <class View, class Boundary, class Radii, class Loop>
     void step(const View& view, const Boundary& boundary, std::size_t count, const Radii& radii,
               const std::uint32_t* ids, const Loop& loop) {
