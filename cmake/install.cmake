@@ -10,6 +10,7 @@ set(MENISCUS_COMPONENTS runtime)
 if(NOT MENISCUS_RUNTIME_ONLY)
     meniscus_install_headers(data/clouds data/formats data/particles data/text labeler)
     install(FILES ${PROJECT_SOURCE_DIR}/bindings/c/meniscus.h
+        ${PROJECT_SOURCE_DIR}/bindings/fortran/meniscus.f90
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/meniscus)
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/samples/
         DESTINATION ${CMAKE_INSTALL_DATADIR}/meniscus/samples FILES_MATCHING PATTERN "*.vtkhdf")

@@ -1,23 +1,22 @@
 // The C interface: checks what comes in, and lets no exception out.
+#include "checks.hpp"
 #include "options.hpp"
 
 #include <meniscus/bindings/step/surface_step.hpp>
 #include <meniscus/runtime/coverage/sample_directions.hpp>
-#include <meniscus/runtime/neighbors/position_resolution.hpp>
+#include <meniscus/runtime/neighbors/held_traps.hpp>
+#include <meniscus/runtime/surface/host_quantities.hpp>
 #include <meniscus/runtime/version.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <limits>
 #include <new>
 #include <stdexcept>
-#include <string>
 
 struct meniscus_surface {
     std::unique_ptr<meniscus::SurfaceStep> step;
-    std::size_t dimension;
-    bool is_double;
+    meniscus::ArrayKind kind;
     bool is_broken = false; ///< an earlier call failed halfway
 };
 
@@ -52,22 +51,6 @@ int guarded(const Act& act) noexcept {
     }
 }
 
-void demand(bool holds, const char* what) {
-    if (!holds)
-        throw std::invalid_argument(what);
-}
-
-template <class Struct>
-void check_struct(const Struct* given, const char* name) {
-    if (given == nullptr)
-        throw std::invalid_argument(std::string(name) + " is NULL");
-    if (given->size != sizeof(Struct))
-        throw std::invalid_argument(
-            std::string(name) + ".size is " + std::to_string(given->size) + ", expected " +
-            std::to_string(sizeof(Struct)) +
-            ": not set, or the program was built with the meniscus.h of another version");
-}
-
 void check_surface(const meniscus_surface* surface) {
     demand(surface != nullptr, "surface is NULL");
     if (surface->is_broken)
@@ -86,161 +69,13 @@ int changing(meniscus_surface* surface, const Act& act) noexcept {
     return status;
 }
 
-bool is_positive(double value) {
-    return value > 0 && std::isfinite(value);
-}
-
-/// Throws std::invalid_argument, naming the member, where the particles cannot be read.
-void check_particles(const meniscus_surface& surface, const meniscus_particles* particles) {
-    check_struct(particles, "particles");
-    const auto& [size, count, positions, stride, masses, radius, radii, ids, offsets, neighbors,
-                 offset_bits, boundary_count, boundary, boundary_offsets, boundary_neighbors,
-                 boundary_weights, boundary_contact_angles, candidates] = *particles;
-    demand(count <= std::size_t{std::numeric_limits<std::int32_t>::max()},
-           "particles.count must be below 2^31");
-    if (count == 0)
-        return;
-    demand(positions != nullptr, "particles.positions is NULL");
-    demand(stride == 0 || stride >= surface.dimension,
-           "particles.stride is less than the dimension");
-    demand(radii != nullptr || (surface.is_double ? is_usable_radius<double>(radius)
-                                                  : is_usable_radius<float>(radius)),
-           "particles.support_radius must be positive and finite, and its square within the range "
-           "of the number type, where support_radii is NULL");
-    demand(offset_bits == 32 || offset_bits == 64, "particles.offset_bits must be 32 or 64");
-    demand(offsets != nullptr, "particles.offsets is NULL");
-    const auto is_empty = [&, bits = offset_bits, count = count](const void* some) {
-        return bits == 64 ? static_cast<const std::uint64_t*>(some)[count] == 0
-                          : static_cast<const std::uint32_t*>(some)[count] == 0;
-    };
-    demand(neighbors != nullptr || is_empty(offsets), "particles.neighbors is NULL");
-    if (boundary == nullptr)
-        return;
-    demand(boundary_offsets != nullptr, "particles.boundary_offsets is NULL");
-    demand(boundary_neighbors != nullptr || is_empty(boundary_offsets),
-           "particles.boundary_neighbors is NULL");
-}
-
-/// Checked particles, as the step takes them.
-StepParticles step_particles(const meniscus_particles& from) {
-    StepParticles to;
-    to.count = from.count;
-    to.positions = from.positions;
-    to.stride = from.stride;
-    to.masses = from.masses;
-    to.support_radius = from.support_radius;
-    to.support_radii = from.support_radii;
-    to.ids = from.ids;
-    to.offsets = from.offsets;
-    to.neighbors = from.neighbors;
-    to.wide_offsets = from.offset_bits == 64;
-    to.boundary_positions = from.boundary_positions;
-    to.boundary_offsets = from.boundary_offsets;
-    to.boundary_neighbors = from.boundary_neighbors;
-    to.boundary_weights = from.boundary_weights;
-    to.boundary_contact_angles = from.boundary_contact_angles;
-    to.candidates = from.candidates;
-    return to;
-}
-
-[[noreturn]] void fail_at(const char* member, std::size_t i, const char* what) {
-    throw std::invalid_argument("particles." + std::string(member) + "[" + std::to_string(i) +
-                                "] " + what);
-}
-
-template <class Real>
-void check_vectors(const char* member, const void* values, std::size_t count, std::size_t stride,
-                   std::size_t dimension) {
-    const auto* real = static_cast<const Real*>(values);
-    for (std::size_t i = 0; i < count; ++i)
-        for (std::size_t axis = 0; axis < dimension; ++axis)
-            if (!std::isfinite(real[i * stride + axis]))
-                fail_at(member, i, "is not finite");
-}
-
-template <class Real>
-void check_positive(const char* member, const void* values, std::size_t count) {
-    const auto* real = static_cast<const Real*>(values);
-    for (std::size_t i = 0; real != nullptr && i < count; ++i)
-        if (!is_positive(static_cast<double>(real[i])))
-            fail_at(member, i, "is not positive and finite");
-}
-
-/// Throws where Real cannot tell a position from its neighbors'.
-template <class Real>
-void check_distances(const meniscus_particles& particles, std::size_t stride,
-                     std::size_t dimension) {
-    const auto* positions = static_cast<const Real*>(particles.positions);
-    const auto* radii = static_cast<const Real*>(particles.support_radii);
-    for (std::size_t i = 0; i < particles.count; ++i) {
-        const double radius =
-            radii != nullptr ? static_cast<double>(radii[i]) : particles.support_radius;
-        if (position_step(positions + i * stride, static_cast<int>(dimension), radius,
-                          std::numeric_limits<Real>::digits) >= coarsest_position_step)
-            fail_at("positions", i,
-                    "lies so far from the origin that the number type cannot tell it from "
-                    "neighbors at its support radius");
-    }
-}
-
-template <class Offset>
-void check_rows(const char* member, const void* offsets, const std::uint32_t* neighbors,
-                std::size_t count, std::size_t others) {
-    const auto* row = static_cast<const Offset*>(offsets);
-    for (std::size_t i = 0; i < count; ++i) {
-        if (row[i + 1] < row[i])
-            fail_at(member, i + 1, "is smaller than the one before");
-        for (Offset n = row[i]; n < row[i + 1]; ++n)
-            if (neighbors[n] >= others)
-                fail_at(member, i, "begins neighbors of which one does not exist");
-    }
-}
-
-void check_rows(const char* member, int bits, const void* offsets, const std::uint32_t* neighbors,
-                std::size_t count, std::size_t others) {
-    if (bits == 64)
-        check_rows<std::uint64_t>(member, offsets, neighbors, count, others);
-    else
-        check_rows<std::uint32_t>(member, offsets, neighbors, count, others);
-}
-
-template <class Real>
-void check_contents(const meniscus_particles& particles, std::size_t dimension) {
-    const std::size_t count = particles.count;
-    const std::size_t stride = particles.stride != 0 ? particles.stride : dimension;
-    check_vectors<Real>("positions", particles.positions, count, stride, dimension);
-    check_positive<Real>("masses", particles.masses, count);
-    check_positive<Real>("support_radii", particles.support_radii, count);
-    check_distances<Real>(particles, stride, dimension);
-    if (count > 0)
-        check_rows("offsets", particles.offset_bits, particles.offsets, particles.neighbors, count,
-                   count);
-    if (count == 0 || particles.boundary_positions == nullptr)
-        return;
-    check_vectors<Real>("boundary_positions", particles.boundary_positions,
-                        particles.boundary_count, stride, dimension);
-    check_positive<Real>("boundary_weights", particles.boundary_weights, particles.boundary_count);
-    for (std::size_t b = 0;
-         particles.boundary_contact_angles != nullptr && b < particles.boundary_count; ++b)
-        if (!is_in_range(option_ranges::contact_angle,
-                         static_cast<double>(particles.boundary_contact_angles[b])))
-            fail_at("boundary_contact_angles", b, "must be between 10 and 170 degrees");
-    check_rows("boundary_offsets", particles.offset_bits, particles.boundary_offsets,
-               particles.boundary_neighbors, count, particles.boundary_count);
-}
-
 /// Calls act(float or double), which says what the arrays of a handle hold.
 template <class Act>
 void with_real(const meniscus_surface& surface, const Act& act) {
-    if (surface.is_double)
+    if (surface.kind.is_double)
         act(double{});
     else
         act(float{});
-}
-
-std::size_t checked_stride(const meniscus_surface& surface, std::size_t stride) {
-    demand(stride == 0 || stride >= surface.dimension, "stride is less than the dimension");
-    return stride != 0 ? stride : surface.dimension;
 }
 
 /// Zeros for all particles, then the values of the slots.
@@ -257,16 +92,28 @@ void scatter(const SurfaceStepResults& found, const void* from, std::size_t comp
         std::copy_n(values + slot * components, components, all + found.particle[slot] * stride);
 }
 
+/// Throws before anything is changed.
 template <class Real>
 void add_accelerations(const SurfaceStepResults& found, std::size_t dimension, const Real* masses,
                        Real mass, Real* accelerations, std::size_t stride) {
     const auto* forces = static_cast<const Real*>(found.force);
-    for (std::size_t slot = 0; slot < found.slots; ++slot) {
-        const std::size_t i = found.particle[slot];
-        const Real of_particle = masses != nullptr ? masses[i] : mass;
-        for (std::size_t axis = 0; axis < dimension; ++axis)
-            accelerations[i * stride + axis] += forces[slot * dimension + axis] / of_particle;
-    }
+    const auto for_each = [&](const auto& visit) {
+        for (std::size_t slot = 0; slot < found.slots; ++slot) {
+            const std::size_t i = found.particle[slot];
+            const Real of_particle = masses != nullptr ? masses[i] : mass;
+            for (std::size_t axis = 0; axis < dimension; ++axis)
+                visit(i, axis, forces[slot * dimension + axis] / of_particle, of_particle);
+        }
+    };
+    for_each([](std::size_t i, std::size_t /*axis*/, Real acceleration, Real its_mass) {
+        if (!is_positive(static_cast<double>(its_mass)) || !std::isfinite(acceleration))
+            throw std::invalid_argument("masses[" + std::to_string(i) + "] is " +
+                                        std::to_string(its_mass) +
+                                        ", with which accelerations leave the number type");
+    });
+    for_each([&](std::size_t i, std::size_t axis, Real acceleration, Real /*its_mass*/) {
+        accelerations[i * stride + axis] += acceleration;
+    });
 }
 
 void check_sample_count(const char* name, std::size_t samples) {
@@ -316,7 +163,7 @@ int meniscus_create(meniscus_surface** surface, const meniscus_options* options,
         auto step =
             surface_step(from_c(*options, dimension), {dimension, is_double, options->threads});
         *surface =
-            new meniscus_surface{std::move(step), static_cast<std::size_t>(dimension), is_double};
+            new meniscus_surface{std::move(step), {static_cast<std::size_t>(dimension), is_double}};
     });
 }
 
@@ -338,6 +185,7 @@ int meniscus_set_samples(meniscus_surface* surface, size_t samples) {
 int meniscus_set_samples_for_time_step(meniscus_surface* surface, double time_step,
                                        double sampling_density, size_t minimum) {
     return changing(surface, [&] {
+        const HeldTraps held;
         demand(is_positive(time_step), "time_step must be positive and finite");
         demand(is_positive(sampling_density), "sampling_density must be positive and finite");
         check_sample_count("minimum", minimum);
@@ -346,34 +194,64 @@ int meniscus_set_samples_for_time_step(meniscus_surface* surface, double time_st
 }
 
 int meniscus_set_line(meniscus_surface* surface, double k, double d) {
-    return changing(surface, [&] {
-        check_option("k", option_ranges::line, k);
-        check_option("d", option_ranges::line, d);
-        surface->step->set_line(k, d);
+    return changing(surface, [&] { surface->step->set_line(k, d); });
+}
+
+int meniscus_set_surface_tension(meniscus_surface* surface, double surface_tension) {
+    return changing(surface, [&] { surface->step->set_surface_tension(surface_tension); });
+}
+
+int meniscus_set_contact_angle(meniscus_surface* surface, double contact_angle) {
+    return changing(surface, [&] { surface->step->set_contact_angle(contact_angle); });
+}
+
+int meniscus_set_fade(meniscus_surface* surface, double fade) {
+    return changing(surface, [&] { surface->step->set_fade(fade); });
+}
+
+int meniscus_set_smoothing(meniscus_surface* surface, int normal_passes, int curvature_passes) {
+    return changing(surface,
+                    [&] { surface->step->set_smoothing(normal_passes, curvature_passes); });
+}
+
+int meniscus_spacing_ratio(double support_radius, double volume, int dimension,
+                           double* spacing_ratio) {
+    return guarded([&] {
+        const HeldTraps held;
+        demand(spacing_ratio != nullptr, "spacing_ratio is NULL");
+        *spacing_ratio = spacing_ratio_of(support_radius, volume, dimension);
+    });
+}
+
+int meniscus_capillary_time_step(double surface_tension, double density, double spacing,
+                                 double* time_step) {
+    return guarded([&] {
+        const HeldTraps held;
+        demand(time_step != nullptr, "time_step is NULL");
+        *time_step = capillary_time_step(surface_tension, density, spacing);
     });
 }
 
 int meniscus_step(meniscus_surface* surface, const meniscus_particles* particles) {
     return changing(surface, [&] {
-        check_particles(*surface, particles);
+        check_particles(particles, surface->kind);
         surface->step->step(step_particles(*particles));
     });
 }
 
 int meniscus_check(const meniscus_surface* surface, const meniscus_particles* particles) {
     return guarded([&] {
+        const HeldTraps held;
         check_surface(surface);
-        check_particles(*surface, particles);
-        with_real(*surface, [&](auto real) {
-            check_contents<decltype(real)>(*particles, surface->dimension);
-        });
+        check_particles(particles, surface->kind);
+        check_contents(*particles, surface->kind);
         surface->step->check(step_particles(*particles));
     });
 }
 
 int meniscus_balance_momentum(meniscus_surface* surface, const meniscus_particles* particles) {
     return changing(surface, [&] {
-        check_particles(*surface, particles);
+        check_particles(particles, surface->kind);
         demand(particles->count == surface->step->results().count,
                "particles.count is not that of the last step");
         surface->step->balance_momentum(step_particles(*particles));
@@ -403,15 +281,16 @@ int meniscus_scatter(const meniscus_surface* surface, uint8_t* surface_class,
                      size_t stride) {
     return guarded([&] {
         check_surface(surface);
-        const std::size_t step = checked_stride(*surface, stride);
         const auto found = surface->step->results();
+        const std::size_t dimension = surface->kind.dimension;
+        const std::size_t step = checked_stride("stride", stride, dimension, found.count);
         scatter<std::uint8_t>(found, found.surface_class, 1, surface_class, 1);
         with_real(*surface, [&](auto real) {
             using Real = decltype(real);
             scatter<Real>(found, found.uncovered_fraction, 1, uncovered_fraction, 1);
-            scatter<Real>(found, found.normal, surface->dimension, normal, step);
+            scatter<Real>(found, found.normal, dimension, normal, step);
             scatter<Real>(found, found.curvature, 1, curvature, 1);
-            scatter<Real>(found, found.force, surface->dimension, force, step);
+            scatter<Real>(found, found.force, dimension, force, step);
         });
     });
 }
@@ -419,9 +298,11 @@ int meniscus_scatter(const meniscus_surface* surface, uint8_t* surface_class,
 int meniscus_add_accelerations(const meniscus_surface* surface, const void* masses, double mass,
                                void* accelerations, size_t stride) {
     return guarded([&] {
+        const HeldTraps held;
         check_surface(surface);
-        const std::size_t step = checked_stride(*surface, stride);
         const auto found = surface->step->results();
+        const std::size_t dimension = surface->kind.dimension;
+        const std::size_t step = checked_stride("stride", stride, dimension, found.count);
         if (found.count == 0)
             return;
         demand(accelerations != nullptr, "accelerations is NULL");
@@ -429,7 +310,9 @@ int meniscus_add_accelerations(const meniscus_surface* surface, const void* mass
                "mass must be positive and finite, where masses is NULL");
         with_real(*surface, [&](auto real) {
             using Real = decltype(real);
-            add_accelerations(found, surface->dimension, static_cast<const Real*>(masses),
+            demand(masses != nullptr || is_positive(static_cast<double>(static_cast<Real>(mass))),
+                   "mass is beyond the range of the number type");
+            add_accelerations(found, dimension, static_cast<const Real*>(masses),
                               static_cast<Real>(mass), static_cast<Real*>(accelerations), step);
         });
     });

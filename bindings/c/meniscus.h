@@ -14,11 +14,14 @@
  *     meniscus_destroy(surface);
  *
  * All functions that return int return a meniscus_status; what is wrong stands in
- * meniscus_last_error(). A handle serves one caller at a time; it spreads its work over threads of
- * its own. The library picks the widest vector instructions that the machine has (baseline, AVX2 or
- * AVX-512), which changes no bit of a result, and neither does the number of threads. Units are SI:
- * lengths in m, masses in kg, forces in N (in two dimensions N per m of depth). Indices count from
- * 0. */
+ * meniscus_last_error(). A handle serves one caller at a time, different handles any number; it
+ * spreads its work over threads of OpenMP. In a child that was forked after a step had used them it
+ * works on the calling thread alone; hosts whose own OpenMP threads ran before they forked set
+ * `threads` to 1 in the child. Hosts may trap floating-point exceptions: what is calculated here
+ * raises none in them, and leaves traps and flags as they were. The library picks the widest vector
+ * instructions that the machine has (baseline, AVX2 or AVX-512), which changes no bit of a result,
+ * and neither does the number of threads. Units are SI: lengths in m, masses in kg, forces in N (in
+ * two dimensions N per m of depth). Indices count from 0. */
 #ifndef MENISCUS_H
 #define MENISCUS_H
 
@@ -102,7 +105,8 @@ typedef struct meniscus_options {
     double covariance_share; /* of normals from positions (eq. 7), 0 to 1 */
     double surface_tension;  /* sigma in N/m */
     double spacing_ratio;    /* support radius over the spacing of particles at rest, the root of
-                                their volume m / rho_0; picks the classifier that ships */
+                                their volume m / rho_0 (meniscus_spacing_ratio), 0.1 to 1000; picks
+                                the classifier that ships */
     double contact_angle;    /* at which the surface meets a wall when both are at rest, in degrees,
                                 measured in the fluid, 10 to 170 */
     const meniscus_second_line* second_line;     /* NULL: none, unless k and d are NaN */
@@ -131,7 +135,7 @@ typedef struct meniscus_particles {
     double support_radius;     /* h in m, where support_radii is NULL */
     const void* support_radii; /* real, one a particle, m; NULL: all have support_radius */
     const uint32_t* ids; /* a number of its own for each particle, where the host sorts them */
-    const void* offsets; /* count + 1 of uint32_t or uint64_t, ascending */
+    const void* offsets; /* count + 1 of uint32_t or uint64_t, ascending from 0 */
     const uint32_t* neighbors;
     int offset_bits; /* 32 or 64, of `offsets` and `boundary_offsets` */
     /* Boundary particles cover; they count in the features of the lines by options.boundary_weight;
@@ -149,6 +153,16 @@ typedef struct meniscus_particles {
     /* The host's own classification in its density loop: not 0 for what the first line lets
      * through. NULL: that line decides here. */
     const uint8_t* candidates;
+    /* Walls that are not particles but signed distance fields, volume maps or meshes: each fluid
+     * particle is told of wall_count of them. Such a wall is a plane for a particle, and counts as
+     * a layer of boundary particles half a spacing behind it would. */
+    size_t wall_count;          /* up to 1024; 0: none */
+    const void* wall_distances; /* real, wall_count a particle, m: of its center from each wall,
+                                   negative inside; from the support radius on (infinity, too) a
+                                   wall does nothing */
+    const void* wall_normals;   /* real, wall_count vectors of `dimension` values a particle: unit
+                                   vectors out of each wall; of walls out of reach, anything */
+    const float* wall_contact_angles; /* wall_count, degrees; NULL: that of the options for all */
 } meniscus_particles;
 
 /* What the last step found, in slots: one for each particle that the line let through, in the order
@@ -191,7 +205,8 @@ MENISCUS_API int meniscus_create(meniscus_surface** surface, const meniscus_opti
 MENISCUS_API void meniscus_destroy(meniscus_surface* surface);
 
 /* Room for so many particles with so many neighbors each: steps with no more allocate nothing.
- * Without it memory grows with the first steps, and stays smaller. */
+ * Without it memory grows with the first steps, and stays smaller. MENISCUS_OUT_OF_MEMORY where
+ * that is more than there can be. */
 MENISCUS_API int meniscus_reserve(meniscus_surface* surface, size_t particles, size_t neighbors);
 
 /* Samples a particle from now on, 4 to 16384. */
@@ -206,17 +221,43 @@ MENISCUS_API int meniscus_set_samples_for_time_step(meniscus_surface* surface, d
  * and d. */
 MENISCUS_API int meniscus_set_line(meniscus_surface* surface, double k, double d);
 
+/* Other options of the same names from now on, for solvers whose parameters change while they run.
+ * Bad: out of the range of the option, which the message names. */
+MENISCUS_API int meniscus_set_surface_tension(meniscus_surface* surface, double surface_tension);
+MENISCUS_API int meniscus_set_contact_angle(meniscus_surface* surface, double contact_angle);
+MENISCUS_API int meniscus_set_fade(meniscus_surface* surface, double fade);
+MENISCUS_API int meniscus_set_smoothing(meniscus_surface* surface, int normal_passes,
+                                        int curvature_passes);
+
+/* Sets *spacing_ratio to the option of that name, for a support radius in m and the volume
+ * m / rho_0 of a particle at rest in m^3 (in two dimensions m^2). That is not the distance at which
+ * particles are placed where a particle has another volume than a cell of that lattice: with the
+ * 0.8 (2 r)^3 of SPlisHSPlasH and h = 4 r it is 2.15. Bad: NULL, a number that is not positive and
+ * finite, a dimension that is neither 2 nor 3. */
+MENISCUS_API int meniscus_spacing_ratio(double support_radius, double volume, int dimension,
+                                        double* spacing_ratio);
+
+/* Sets *time_step to the longest step in s at which capillary waves stay stable (Brackbill et al.
+ * 1992), sqrt(density spacing^3 / (2 pi surface_tension)), for the density in kg/m^3 and the
+ * spacing of particles in m; to infinity where surface_tension is 0. Bad: NULL, a negative
+ * surface_tension, another that is not positive, one that is not finite. */
+MENISCUS_API int meniscus_capillary_time_step(double surface_tension, double density,
+                                              double spacing, double* time_step);
+
 /* Finds the surface and all that meniscus_results tells of it. Finite input never gives NaN. Bad:
- * NULL where something is required, no radius that is positive and whose square the number type
- * holds, offset_bits, a stride below the dimension. What costs a pass over all lists is not
+ * NULL where something is required, radii that are not positive, whose squares the number type does
+ * not hold or of which one is more than 1e6 times another, a surface_tension whose forces it does
+ * not hold, offset_bits, a stride below the dimension. What costs a pass over all lists is not
  * checked: meniscus_check does. */
 MENISCUS_API int meniscus_step(meniscus_surface* surface, const meniscus_particles* particles);
 
 /* Looks at everything that a step reads: positions that are finite and not so far from the origin
- * that the number type cannot tell neighbors apart, positive masses and radii, ascending offsets,
- * neighbors that exist, each pair in both lists and once, and as many neighbors as the options'
- * spacing_ratio says. For while a solver is written; takes about as long as a step.
- * The message names the first particle that is wrong. */
+ * that the number type cannot tell neighbors apart, masses and radii that it can calculate with,
+ * offsets that ascend from 0 and are as wide as offset_bits says, neighbors that exist, each pair
+ * in both lists and once, lists that reach as far as the support radius and not much farther, and
+ * as many neighbors as the options' spacing_ratio says. For while a solver is written; takes about
+ * as long as a step. The message names the first particle that is wrong. How long arrays are it
+ * cannot know. */
 MENISCUS_API int meniscus_check(const meniscus_surface* surface,
                                 const meniscus_particles* particles);
 
@@ -237,7 +278,8 @@ MENISCUS_API int meniscus_scatter(const meniscus_surface* surface, uint8_t* surf
 
 /* Adds force over mass (m/s^2) to the accelerations, `stride` values a particle (0: as many as
  * there are dimensions). `masses` (real, kg, one a particle) or, where it is NULL, `mass` for all.
- * Bad: NULL accelerations, a mass that is not positive and finite. */
+ * Bad: NULL accelerations, a mass of a surface particle that is not positive and finite or so small
+ * that the number type does not hold the acceleration. */
 MENISCUS_API int meniscus_add_accelerations(const meniscus_surface* surface, const void* masses,
                                             double mass, void* accelerations, size_t stride);
 

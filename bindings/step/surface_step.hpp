@@ -5,6 +5,8 @@
 // set.
 #pragma once
 
+#include "host_threads.hpp"
+
 #include <meniscus/runtime/simd/dispatch.hpp>
 #include <meniscus/runtime/surface/surface_options.hpp>
 
@@ -14,14 +16,11 @@
 
 namespace meniscus {
 
-/// The most threads that a setup may ask for.
-inline constexpr int max_threads = 1024;
-
 /// What a step works with, besides its options.
 struct StepSetup {
     int dimension = 3;     ///< 2 or 3
     bool is_double = true; ///< number type of all arrays of reals that go in and out; else float
-    int threads = 0;       ///< 0: all that OpenMP offers
+    int threads = 0;       ///< up to max_threads; 0: all that OpenMP offers
 };
 
 /// The particles of one step, all of one phase or with lists that hold neighbors of the same phase
@@ -42,11 +41,18 @@ struct StepParticles {
     // Boundary particles cover, count where the options say so, and fluid that has one within h
     // touches a wall.
     const void* boundary_positions = nullptr; ///< real, `stride` values each; nullptr: none
+    std::size_t boundary_count = 0;           ///< needed with walls alone
     const void* boundary_offsets = nullptr;
     const std::uint32_t* boundary_neighbors = nullptr; ///< around each fluid particle
     /// real, how many fluid particles each stands for (runtime/neighbors/boundary.hpp); nullptr: 1
     const void* boundary_weights = nullptr;
     const float* boundary_contact_angles = nullptr; ///< degrees; nullptr: that of the options
+    /// Walls that are not particles (runtime/neighbors/wall_planes.hpp): wall_count of them for
+    /// each fluid particle.
+    std::size_t wall_count = 0;
+    const void* wall_distances = nullptr;       ///< real, wall_count a particle, m
+    const void* wall_normals = nullptr;         ///< real, wall_count vectors a particle, not padded
+    const float* wall_contact_angles = nullptr; ///< wall_count, degrees; nullptr: of the options
     /// The host's own classification: not 0 for what the first line lets through. nullptr: the line
     /// decides.
     const std::uint8_t* candidates = nullptr;
@@ -66,8 +72,9 @@ struct SurfaceStepResults {
     const void* force;                 ///< real, `dimension` values each, N
 };
 
-/// One fluid and its memory; for one caller at a time. Particles are not checked, but for a
-/// support radius that the number type cannot calculate with, which throws std::invalid_argument.
+/// One fluid and its memory; for one caller at a time. Particles are not checked, but for support
+/// radii that the number type cannot calculate with, which throw std::invalid_argument. Hosts may
+/// trap floating-point exceptions.
 class SurfaceStep {
 public:
     virtual ~SurfaceStep() = default;
@@ -76,9 +83,13 @@ public:
     virtual void reserve(std::size_t particles, std::size_t neighbors) = 0;
     virtual void set_samples(std::size_t samples) = 0;
     virtual void set_line(double k, double d) = 0;
+    virtual void set_surface_tension(double sigma) = 0;
+    virtual void set_contact_angle(double angle) = 0;
+    virtual void set_fade(double fade) = 0;
+    virtual void set_smoothing(int normal_passes, int curvature_passes) = 0;
     virtual void step(const StepParticles& particles) = 0;
-    /// Throws std::invalid_argument as check_lists() and check_spacing_ratio() do
-    /// (runtime/features/check_neighborhood.hpp).
+    /// Throws std::invalid_argument as check_lists(), check_support_radius() and
+    /// check_spacing_ratio() do (runtime/features/check_neighborhood.hpp).
     virtual void check(const StepParticles& particles) const = 0;
     /// After a step, with the same particles.
     virtual void balance_momentum(const StepParticles& particles) = 0;

@@ -4,6 +4,8 @@
 #include <meniscus/runtime/simd/begin_kernel.hpp>
 
 #include <meniscus/runtime/features/check_neighborhood.hpp>
+#include <meniscus/runtime/neighbors/held_traps.hpp>
+#include <meniscus/runtime/neighbors/wall_planes.hpp>
 #include <meniscus/runtime/surface/surface_tension.hpp>
 
 namespace meniscus {
@@ -67,6 +69,22 @@ FeatureSum<Real, Dimension> sum_features(const HostLists<Real, Dimension>& view,
     }
 }
 
+/// Walls that are no particles, as WallPlanes takes them.
+template <class Real, int Dimension>
+struct HostWalls {
+    std::size_t count;
+    const Real* distances;
+    const Real* normals;
+
+    template <class Visit>
+    void operator()(std::size_t i, Visit&& visit) const {
+        for (std::size_t wall = 0; wall < count; ++wall) {
+            const std::size_t n = i * count + wall;
+            visit(wall, distances[n], normals + n * Dimension);
+        }
+    }
+};
+
 /// View over the boundary, which may be none: known at run time only. Weights take the place of
 /// masses.
 template <class Real, int Dimension>
@@ -89,11 +107,76 @@ double contact_angle_at(const HostBoundary<Real, Dimension>& boundary, std::size
                                               : usual;
 }
 
+/// Boundary particles in lists: those of the host, and with them the layers that stand in for walls
+/// which are none. Made in each step of a host that has such walls, so that all others pay nothing.
+template <class Real, int Dimension>
+class ListedWalls {
+public:
+    template <class Radii>
+    HostBoundary<Real, Dimension> list(const HostBoundary<Real, Dimension>& host,
+                                       const StepParticles& particles, const Radii& radii,
+                                       const SurfaceTensionOptions& options) {
+        const HeldTraps held;
+        const HostWalls<Real, Dimension> walls{particles.wall_count,
+                                               static_cast<const Real*>(particles.wall_distances),
+                                               static_cast<const Real*>(particles.wall_normals)};
+        const auto planes = wall_planes_of<Dimension>(walls, radii, options.spacing_ratio);
+        copy_boundary(host, particles, options);
+        offsets.assign(1, 0);
+        neighbors.clear();
+        for (std::size_t i = 0; i < particles.count; ++i) {
+            if (host.lists.rows.offsets != nullptr)
+                neighbors.insert(neighbors.end(),
+                                 host.lists.rows.neighbors + host.lists.rows.begin(i),
+                                 host.lists.rows.neighbors + host.lists.rows.begin(i + 1));
+            const Real* const center = host.lists.centers + i * host.lists.stride;
+            planes(i, [&](std::size_t wall, const auto& displacement, Real weight) {
+                neighbors.push_back(static_cast<std::uint32_t>(weights.size()));
+                const std::size_t place = positions.size();
+                positions.resize(place + host.lists.stride);
+                for (std::size_t axis = 0; axis < Dimension; ++axis)
+                    positions[place + axis] = center[axis] + displacement[axis];
+                weights.push_back(weight);
+                contact_angles.push_back(
+                    angle_or(particles.wall_contact_angles, wall, options.contact_angle));
+            });
+            offsets.push_back(neighbors.size());
+        }
+        if (weights.size() > std::numeric_limits<std::uint32_t>::max())
+            refuse("there are more than 2^32 places of walls around particles");
+        return {{positions.data(), host.lists.stride, weights.data(),
+                 HostRows{offsets.data(), true, neighbors.data()}, host.lists.centers},
+                contact_angles.data()};
+    }
+
+private:
+    std::vector<Real> positions, weights;
+    std::vector<std::uint64_t> offsets;
+    std::vector<std::uint32_t> neighbors;
+    std::vector<float> contact_angles;
+
+    static float angle_or(const float* angles, std::size_t b, double usual) {
+        return angles != nullptr ? angles[b] : static_cast<float>(usual);
+    }
+
+    void copy_boundary(const HostBoundary<Real, Dimension>& host, const StepParticles& particles,
+                       const SurfaceTensionOptions& options) {
+        const std::size_t count = host.lists.rows.offsets != nullptr ? particles.boundary_count : 0;
+        positions.assign(host.lists.positions, host.lists.positions + count * host.lists.stride);
+        weights.assign(count, 1);
+        if (host.lists.masses != nullptr)
+            weights.assign(host.lists.masses, host.lists.masses + count);
+        contact_angles.clear();
+        for (std::size_t b = 0; b < count; ++b)
+            contact_angles.push_back(angle_or(host.contact_angles, b, options.contact_angle));
+    }
+};
+
 template <class Real, int Dimension>
 class SurfaceStepKernel final : public SurfaceStep {
 public:
     SurfaceStepKernel(const SurfaceTensionOptions& options, int threads)
-        : tension(options), loop{threads > 0 ? threads : omp_get_max_threads()} {}
+        : tension(options), loop{{threads > 0 ? threads : usual_threads()}} {}
 
     void reserve(std::size_t particles, std::size_t neighbors) override {
         tension.reserve(particles, neighbors, loop.workers());
@@ -105,23 +188,37 @@ public:
 
     void set_line(double k, double d) override { tension.set_line({k, d}); }
 
+    void set_surface_tension(double sigma) override { tension.set_surface_tension(sigma); }
+
+    void set_contact_angle(double angle) override { tension.set_contact_angle(angle); }
+
+    void set_fade(double fade) override { tension.set_fade(fade); }
+
+    void set_smoothing(int normal_passes, int curvature_passes) override {
+        tension.set_smoothing(normal_passes, curvature_passes);
+    }
+
     void step(const StepParticles& particles) override {
         with_radii(particles, [&](const auto& radii) { step_with(particles, radii); });
     }
 
     void check(const StepParticles& particles) const override {
+        const HeldTraps held;
         with_radii(particles, [&](const auto& radii) {
             const Lists view = fluid(particles);
             check_lists<Real, Dimension>(view, particles.count, radii);
+            check_support_radius<Real, Dimension>(view, particles.count, radii);
             check_spacing_ratio<Real, Dimension>(view, particles.count, radii,
                                                  tension.options().spacing_ratio);
         });
     }
 
     void balance_momentum(const StepParticles& particles) override {
+        const HeldTraps held; // the step has started all threads, which have their own
         with_radii(particles, [&](const auto& radii) {
-            tension.template balance_momentum<Dimension>(fluid(particles), boundary(particles),
-                                                         radii, packed_positions(particles), loop);
+            tension.template balance_momentum<Dimension>(fluid(particles),
+                                                         boundary(particles, radii), radii,
+                                                         packed_positions(particles), loop);
         });
     }
 
@@ -143,7 +240,8 @@ private:
     using Lists = HostLists<Real, Dimension>;
 
     SurfaceTension<Real, Dimension> tension;
-    OpenMpLoop loop;
+    WithHeldTraps<HostLoop> loop;
+    ListedWalls<Real, Dimension> walls;
     std::vector<std::uint32_t> row_lengths; ///< of each particle
     std::vector<Real> packed;               ///< positions without padding
 
@@ -158,20 +256,26 @@ private:
                 positions};
     }
 
-    static HostBoundary<Real, Dimension> boundary(const StepParticles& particles) {
+    template <class Radii>
+    HostBoundary<Real, Dimension> boundary(const StepParticles& particles, const Radii& radii) {
         const void* offsets =
             particles.boundary_positions != nullptr ? particles.boundary_offsets : nullptr;
-        return {Lists{static_cast<const Real*>(particles.boundary_positions), stride_of(particles),
-                      static_cast<const Real*>(particles.boundary_weights),
-                      HostRows{offsets, particles.wide_offsets, particles.boundary_neighbors},
-                      static_cast<const Real*>(particles.positions)},
-                particles.boundary_contact_angles};
+        const HostBoundary<Real, Dimension> host{
+            Lists{static_cast<const Real*>(particles.boundary_positions), stride_of(particles),
+                  static_cast<const Real*>(particles.boundary_weights),
+                  HostRows{offsets, particles.wide_offsets, particles.boundary_neighbors},
+                  static_cast<const Real*>(particles.positions)},
+            particles.boundary_contact_angles};
+        return particles.wall_count == 0 ? host
+                                         : walls.list(host, particles, radii, tension.options());
     }
 
     template <class Do>
     static void with_radii(const StepParticles& particles, const Do& act) {
         if (particles.support_radii != nullptr)
             act(VaryingRadii<Real>{static_cast<const Real*>(particles.support_radii)});
+        else if (particles.count == 0) // any: none need be given
+            act(UniformRadius<Real>{1});
         else
             act(UniformRadius<Real>{static_cast<Real>(particles.support_radius)});
     }
@@ -179,16 +283,16 @@ private:
     template <class Radii>
     void step_with(const StepParticles& particles, const Radii& radii) {
         const Lists view = fluid(particles);
-        const auto walls = boundary(particles);
+        const auto around = boundary(particles, radii);
         if (particles.candidates != nullptr) {
             row_lengths.resize(particles.count); // no particle has more neighbors than that
             for (std::size_t i = 0; i < particles.count; ++i)
                 row_lengths[i] =
                     static_cast<std::uint32_t>(view.rows.begin(i + 1) - view.rows.begin(i));
-            tension.step(view, walls, particles.count, radii, particles.ids, particles.candidates,
+            tension.step(view, around, particles.count, radii, particles.ids, particles.candidates,
                          row_lengths.data(), loop);
         } else {
-            tension.step(view, walls, particles.count, radii, particles.ids, loop);
+            tension.step(view, around, particles.count, radii, particles.ids, loop);
         }
     }
 

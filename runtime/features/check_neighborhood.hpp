@@ -1,8 +1,9 @@
 // A look at a host's neighbor lists while a solver is written: what every pass over them takes for
-// granted, that j is in the list of i as often as i in that of j, which is once, and that the
-// support radius has as many spacings as the host says. Half lists (each pair once), lists that
-// hold each neighbor twice, and lists of half or twice the radius give no error by themselves but
-// another surface. Takes about as long as a step with a few hundred samples.
+// granted, that j is in the list of i as often as i in that of j, which is once, that they hold
+// what is closer than the support radius, and that this has as many spacings as the host says. Half
+// lists (each pair once), lists that hold each neighbor twice, lists of half the radius, and a
+// radius in another unit give no error by themselves but another surface. Takes about as long as a
+// step with a few hundred samples.
 #pragma once
 
 #include "../errors.hpp"
@@ -30,6 +31,73 @@ int times_listed(const View& view, std::size_t i, std::size_t j, const Radii& ra
                                          [&](const auto&) { ++times; });
     });
     return times;
+}
+
+/// What lists hold, over all particles.
+struct ListedDistances {
+    std::size_t pairs = 0;
+    std::size_t beyond = 0; ///< of them not closer than the support radius
+    double farthest = 0;    ///< in support radii of the pair
+};
+
+/// The length of a displacement, in radii of the pair; infinite where it leaves the range of Real.
+template <class Real, int Dimension, class Displacement, class Radii>
+double length_in_radii(const Displacement& displacement, std::size_t i, std::size_t j,
+                       const Radii& radii) {
+    double squared = 0;
+    for (std::size_t axis = 0; axis < Dimension; ++axis) {
+        const double step = static_cast<double>(displacement[axis]) *
+                            static_cast<double>(radii.inverse_of_pair(i, j));
+        squared += step * step;
+    }
+    return std::sqrt(squared);
+}
+
+template <class Real, int Dimension, class View, class Radii>
+ListedDistances listed_distances(const View& view, std::size_t count, const Radii& radii) {
+    ListedDistances found;
+    for (std::size_t i = 0; i < count; ++i)
+        view(i, [&](std::size_t j, const auto& displacement, Real /*mass*/) {
+            if (j == i)
+                return;
+            const double length = length_in_radii<Real, Dimension>(displacement, i, j, radii);
+            ++found.pairs;
+            found.beyond += static_cast<std::size_t>(!(length < 1));
+            found.farthest = (std::max)(found.farthest, length);
+        });
+    return found;
+}
+
+/// Throws where a neighbor of a neighbor of particle i is farther than `min` support radii from i,
+/// closer than one, and not in its list, which is working memory. Of long lists some 64 neighbors
+/// are asked.
+template <class Real, int Dimension, class View, class Radii>
+void check_completeness(const View& view, std::size_t i, const Radii& radii, double min,
+                        std::vector<std::size_t>& list) {
+    constexpr double max = 0.99; // two displacements round
+    list.assign(1, i);
+    view(i, [&](std::size_t j, const auto&, Real) { list.push_back(j); });
+    std::sort(list.begin(), list.end());
+    std::size_t place = 0;
+    view(i, [&](std::size_t j, const auto& first, Real) {
+        if (place++ % (list.size() / 64 + 1) != 0)
+            return;
+        view(j, [&](std::size_t k, const auto& second, Real) {
+            Coordinates<Real, Dimension> displacement;
+            for (std::size_t axis = 0; axis < Dimension; ++axis)
+                displacement[axis] = first[axis] + second[axis];
+            const double length = length_in_radii<Real, Dimension>(displacement, i, k, radii);
+            if (!(length < max && length > min) || std::binary_search(list.begin(), list.end(), k))
+                return;
+            char text[240];
+            std::snprintf(text, sizeof text,
+                          "neighbors: particle %zu has %zu at %.2g of its support radius, but not "
+                          "in its list; lists hold all particles within it, so they end too early "
+                          "or the radius, %.4g, is too large",
+                          i, k, length, static_cast<double>(radii.of(i)));
+            refuse(text);
+        });
+    });
 }
 
 } // namespace neighborhood_check
@@ -62,10 +130,37 @@ void check_lists(const View& view, std::size_t count, const Radii& radii) {
         });
 }
 
+/// Throws std::invalid_argument (errors.hpp) where radius and lists contradict each other: where
+/// nine in ten of what is listed, and of a dozen at least, are not closer than the support radius,
+/// and some farther than 1.4 of it; or where one of up to 256 particles lacks a neighbor that
+/// neighbors of it have. Where all that is listed is within half the support radius, particles so
+/// close that they do not count may not be missing either. After check_lists().
+template <class Real, int Dimension, class View, class Radii>
+void check_support_radius(const View& view, std::size_t count, const Radii& radii) {
+    using namespace neighborhood_check;
+    const ListedDistances found = listed_distances<Real, Dimension>(view, count, radii);
+    constexpr double most_that_searches_add = 1.4; // a margin for particles that move
+    if (found.pairs >= 12 && 10 * found.beyond > 9 * found.pairs &&
+        found.farthest > most_that_searches_add) {
+        char text[240];
+        std::snprintf(text, sizeof text,
+                      "neighbors: %zu of the %zu that the lists hold are beyond the support radius "
+                      "of their particle (that of particle 0 is %.4g): is it that at which the "
+                      "kernel ends, in the unit of positions?",
+                      found.beyond, found.pairs, static_cast<double>(radii.of(0)));
+        refuse(text);
+    }
+    constexpr std::size_t looked_at = 256;
+    const double min = found.farthest < 0.5 ? 0 : 0.21;
+    std::vector<std::size_t> list;
+    for (std::size_t i = 0; i < count; i += count / looked_at + 1)
+        check_completeness<Real, Dimension>(view, i, radii, min, list);
+}
+
 /// Throws std::invalid_argument (errors.hpp) where the support radius has more than 1.4 times as
 /// many spacings as `spacing_ratio` by the numbers of neighbors, of which a quarter of the
 /// particles has more; or fewer than over 1.4 by the distance to the nearest neighbor, than which a
-/// tenth of those that have one are farther. Says nothing of fewer than 100 particles with
+/// tenth of those that have one are farther. Says nothing of fewer than 20 particles with
 /// neighbors.
 template <class Real, int Dimension, class View, class Radii>
 void check_spacing_ratio(const View& view, std::size_t count, const Radii& radii,
@@ -87,7 +182,7 @@ void check_spacing_ratio(const View& view, std::size_t count, const Radii& radii
         counts.push_back(number);
         nearest.push_back(squared);
     }
-    if (counts.size() < 100)
+    if (counts.size() < 20)
         return;
     const auto quantile = [](std::vector<double>& values, double share) {
         const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "neighborhood.hpp"
+#include "support_radius.hpp"
 
 #include <cmath>
 #include <limits>
@@ -56,6 +57,38 @@ template <class Real>
 bool is_usable_radius(double radius) {
     return is_positive_and_finite(radius) && radius >= min_support_radius<Real> &&
            radius <= max_support_radius<Real>;
+}
+
+/// How much larger the largest support radius of a fluid may be than the smallest: what lies around
+/// a particle, in radii of another, then keeps all digits, too.
+inline constexpr double max_radius_contrast = 1e6;
+
+/// The smallest and the largest support radius. Where one is not positive, or not a number, so is
+/// the largest.
+template <class Real>
+struct RadiusExtent {
+    Real min, max;
+};
+
+template <class Real>
+RadiusExtent<Real> extent_of(const UniformRadius<Real>& radii, std::size_t /*count*/) {
+    return {radii.radius, radii.radius};
+}
+
+/// By bits: those of negative numbers and of what is none are the largest. `count` at least 1.
+template <class Real>
+RadiusExtent<Real> extent_of(const VaryingRadii<Real>& radii, std::size_t count) {
+    auto min = bits_of(radii.of(0));
+    auto max = min;
+    for (std::size_t i = 1; i < count; ++i) {
+        const auto bits = bits_of(radii.of(i));
+        min = bits < min ? bits : min;
+        max = bits > max ? bits : max;
+    }
+    RadiusExtent<Real> extent;
+    std::memcpy(&extent.min, &min, sizeof min);
+    std::memcpy(&extent.max, &max, sizeof max);
+    return extent;
 }
 
 } // namespace MENISCUS_INSTRUCTION_SET

@@ -11,6 +11,7 @@
 #include <cfloat>
 #include <cstdio>
 #include <limits>
+#include <type_traits>
 
 namespace meniscus {
 inline namespace MENISCUS_INSTRUCTION_SET {
@@ -33,6 +34,7 @@ inline constexpr OptionRange seed = {0, 0x1p64, "a whole number from 0 to 184467
 inline constexpr OptionRange passes = {0, 1000, "a whole number from 0 to 1000"};
 inline constexpr OptionRange finite = {-DBL_MAX, DBL_MAX, "finite"};
 inline constexpr OptionRange positive = {DBL_MIN, DBL_MAX, "positive and finite"};
+inline constexpr OptionRange spacings = {0.1, 1000, "between 0.1 and 1000"};
 inline constexpr OptionRange contact_angle = {10, 170, "between 10 and 170"};
 inline constexpr OptionRange weight = {0, 10, "between 0 and 10"};
 inline constexpr OptionRange coverage = {0, 1, "sampled or exact", {"sampled", "exact"}};
@@ -72,7 +74,7 @@ inline constexpr OptionRange force = {0, 1, "paper or calibrated", {"paper", "ca
     ROW(force, force, false, "",                                                                   \
         "The paper's force, or the one in which sigma is what it says")                            \
     ROW(surface_tension, finite, false, "N/m", "Sigma")                                            \
-    ROW(spacing_ratio, positive, false, "", "Support radius over particle spacing at rest")        \
+    ROW(spacing_ratio, spacings, false, "", "Support radius over particle spacing at rest")        \
     ROW(contact_angle, contact_angle, false, "degrees",                                            \
         "At which the surface meets a wall when both are at rest, measured in the fluid")
 // clang-format on
@@ -172,6 +174,17 @@ inline void check_option(const char* name, const OptionRange& range, double valu
     refuse(text);
 }
 
+/// Throws as check_option() does where a value is out of the range of the option that the member
+/// is.
+template <class Value>
+void check_option(Value SurfaceTensionOptions::*member, Value value) {
+    for_each_surface_option([&](const auto& option) {
+        if constexpr (std::is_same_v<decltype(option.member), Value SurfaceTensionOptions::*>)
+            if (option.member == member)
+                check_option(option.name, option.range, static_cast<double>(value));
+    });
+}
+
 inline void check(const SecondLine& line) {
     if (!line.is_there)
         return;
@@ -190,7 +203,14 @@ inline void check(const SurfaceTensionOptions& options, int dimension) {
             check_option(option.name, option.range, static_cast<double>(options.*option.member));
     });
     check(options.second_line);
-    const int of_map = options.curvature_map.dimension;
+    const CurvatureMap& map = options.curvature_map;
+    const int of_map = map.dimension;
+    bool is_map = map.min <= map.max;
+    for (const double value : {map.min, map.max, map.coefficients[0], map.coefficients[1],
+                               map.coefficients[2], map.coefficients[3]})
+        is_map = is_map && is_finite(value);
+    if (options.curvature == CurvatureForm::mapped && of_map != 0 && !is_map)
+        refuse("curvature_map must have finite coefficients and a range from min to max");
     if (options.curvature == CurvatureForm::mapped && of_map != 0 && of_map != dimension)
         refuse("curvature_map is not of the dimension of the fluid");
 }

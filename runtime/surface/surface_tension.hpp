@@ -21,6 +21,8 @@
 #include "shipped_curvature_map.hpp"
 #include "surface_force.hpp"
 
+#include <limits>
+
 namespace meniscus {
 inline namespace MENISCUS_INSTRUCTION_SET {
 
@@ -54,14 +56,19 @@ public:
     /// What the last step found.
     [[nodiscard]] const SurfaceParticles<Real, Dimension>& surface() const { return list; }
 
-    /// As given, but for the classifier and the map where those that ship were asked for.
+    /// As given and set since, but for the classifier and the map where those that ship were asked
+    /// for.
     [[nodiscard]] const SurfaceTensionOptions& options() const { return settings; }
 
     /// Room for so many particles, neighbors a particle and workers of the loop: steps with no more
-    /// allocate nothing. Where it is not called they grow with the first steps.
+    /// allocate nothing. Where it is not called they grow with the first steps. Throws
+    /// std::bad_alloc or std::length_error where that is more than there can be.
     void reserve(std::size_t particles, std::size_t neighbors, int workers) {
+        // A product that overflows becomes one that vectors refuse; below, sums cannot then.
+        const std::size_t most = (std::numeric_limits<std::size_t>::max)() - particles;
+        const std::size_t rows = (std::max)(particles, std::size_t{1});
+        list.reserve_slots(particles, neighbors > most / rows ? most : rows * neighbors);
         list.slot_of.reserve(particles);
-        list.reserve_slots(particles, particles * neighbors);
         normals_before.reserve(particles);
         curvatures_before.reserve(particles);
         make_memory(workers);
@@ -73,28 +80,50 @@ public:
         balance.reserve(particles, particles);
     }
 
-    /// Samples a particle from now on, as for a new time step (samples_for_time_step): filled up to
-    /// a multiple of 16, so that a step that changes little makes no new directions.
+    // What follows changes options from now on. Each throws std::invalid_argument (errors.hpp),
+    // naming the option and its range (option_table.hpp), and changes nothing then. Others are for
+    // an object of their own.
+
+    /// Samples a particle, as for a new time step (samples_for_time_step): filled up to a multiple
+    /// of 16, so that a step that changes little makes no new directions.
     void set_samples(std::size_t samples) {
+        set(&SurfaceTensionOptions::samples, samples);
         const std::size_t wanted =
             samples < 16 ? samples : (std::min)((samples + 15) / 16 * 16, max_samples);
         if (settings.coverage == CoverageMethod::sampled && wanted != directions.samples)
             fill_outward_directions<Dimension>(wanted, settings.seed, directions);
     }
 
-    /// Another first line from now on; the second, where there is one, stays.
+    /// Another first line; the second, where there is one, stays.
     void set_line(const SurfaceLine<double>& line) {
-        settings.k = line.k;
+        check_option(&SurfaceTensionOptions::d, line.d);
+        set(&SurfaceTensionOptions::k, line.k);
         settings.d = line.d;
     }
 
+    /// Sigma in N/m.
+    void set_surface_tension(double sigma) { set(&SurfaceTensionOptions::surface_tension, sigma); }
+
+    /// Of walls, degrees.
+    void set_contact_angle(double angle) { set(&SurfaceTensionOptions::contact_angle, angle); }
+
+    void set_fade(double fade) { set(&SurfaceTensionOptions::fade, fade); }
+
+    /// Passes over normals and curvatures.
+    void set_smoothing(int normal_passes, int curvature_passes) {
+        check_option(&SurfaceTensionOptions::curvature_passes, curvature_passes);
+        set(&SurfaceTensionOptions::normal_passes, normal_passes);
+        settings.curvature_passes = curvature_passes;
+    }
+
     /// One step over `count` particles: classes, normals, curvatures and forces of the surface.
-    /// `view` delivers neighbors of the same phase; `boundary` is a BoundaryView or NoBoundary;
-    /// `radii` a UniformRadius or VaryingRadii; `ids` one number a particle that stays its own, or
-    /// nullptr where particles keep their index. Never NaN from finite input. Throws
-    /// std::invalid_argument, with the last step's results as they were, where one radius serves
-    /// all and Real cannot calculate with it (position_resolution.hpp), or the history's share is
-    /// out of its range.
+    /// `view` delivers neighbors of the same phase; `boundary` is a BoundaryView, WallPlanes
+    /// (wall_planes.hpp) or NoBoundary; `radii` a UniformRadius or VaryingRadii; `ids` one number a
+    /// particle that stays its own, or nullptr where particles keep their index. Never NaN from
+    /// finite input. Throws std::invalid_argument, with the last step's results as they were, where
+    /// Real cannot calculate with a support radius, or with two of them together
+    /// (position_resolution.hpp), or with forces of such a sigma at such radii, or the history's
+    /// share is out of its range.
     template <class View, class Boundary, class Radii, class Loop>
     void step(const View& view, const Boundary& boundary, std::size_t count, const Radii& radii,
               const std::uint32_t* ids, const Loop& loop) {
@@ -181,15 +210,67 @@ private:
         memory.resize((std::max)(memory.size(), static_cast<std::size_t>(workers)));
     }
 
+    template <class Value>
+    void set(Value SurfaceTensionOptions::*member, Value value) {
+        check_option(member, value);
+        settings.*member = value;
+    }
+
     template <class Radii>
     void check_step(const Radii& radii, std::size_t count) const {
-        if constexpr (!Radii::varies)
-            if (count > 0 && !is_usable_radius<Real>(static_cast<double>(radii.radius)))
-                refuse("the support radius must be positive, and its square "
-                       "within the range of the number type; is it in m?");
+        if (count > 0)
+            check_radii(radii, count);
         if (history != nullptr &&
             !(is_finite(history->share) && history->share >= 0 && history->share < 1))
             refuse("the history's share must be at least 0 and below 1");
+    }
+
+    template <class Radii>
+    void check_radii(const Radii& radii, std::size_t count) const {
+        const auto extent = extent_of(radii, count);
+        const auto min = static_cast<double>(extent.min);
+        const auto max = static_cast<double>(extent.max);
+        if (!is_usable_radius<Real>(min) || !is_usable_radius<Real>(max))
+            refuse_radius(radii, count);
+        if (max / min > max_radius_contrast)
+            refuse("the largest support radius is more than 1000000 times the smallest: are all "
+                   "in m?");
+        check_forces(min, max);
+    }
+
+    /// Whether forces stay within the range of Real, by bounds of what each factor can be.
+    void check_forces(double min_radius, double max_radius) const {
+        constexpr auto most = static_cast<double>((std::numeric_limits<Real>::max)());
+        const double ratio = settings.radius_ratio;
+        const double curvature = 2 / std::sqrt((1 - ratio) * (1 + ratio)); // times h
+        const double stretch = 1 + 1 / ((1 - ratio) * settings.spacing_ratio);
+        // Divided one after another, so that nothing overflows here.
+        const double max_sigma = most / (4 * stretch * stretch * curvature);
+        const double contrast = max_radius / min_radius;
+        const double to_pressure = (std::max)(1 / min_radius, 1.0);
+        const double to_force = (std::max)(Dimension == 2 ? contrast : max_radius * contrast, 1.0);
+        const double sigma = std::fabs(settings.surface_tension);
+        if (sigma > max_sigma / to_pressure || sigma > max_sigma / to_force ||
+            max_radius * stretch > std::sqrt(most))
+            refuse("surface_tension is so large for these support radii that forces leave the "
+                   "range of the number type; is all in SI units?");
+    }
+
+    /// Names the first particle whose radius is not usable.
+    template <class Radii>
+    [[noreturn]] static void refuse_radius(const Radii& radii, std::size_t count) {
+        char text[200] = "";
+        if (Radii::varies)
+            for (std::size_t i = 0; i < count && text[0] == 0; ++i)
+                if (!is_usable_radius<Real>(static_cast<double>(radii.of(i))))
+                    std::snprintf(text, sizeof text, " (that of particle %zu is %.9g)", i,
+                                  static_cast<double>(radii.of(i)));
+        char whole[400];
+        std::snprintf(whole, sizeof whole,
+                      "the support radius must be positive, and its square within the range of "
+                      "the number type%s; is it in m?",
+                      text);
+        refuse(whole);
     }
 
     template <class View, class Boundary, class Radii, class Loop>

@@ -2,6 +2,7 @@
 
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/text.hpp>
+#include <meniscus/runtime/surface/host_quantities.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -73,14 +74,12 @@ double longest_stable_step(const Scene& scene) {
 }
 
 double longest_inviscid_step(const Scene& scene) {
-    constexpr double two_pi = 6.283185307179586;
     const double spacing = scene.particle_spacing;
     double step =
         pressure_solvers()[pressure_solver_place(scene.pressure.solver)].longest_stable_step(scene);
     const double sigma = scene.surface_tension.coefficient;
     if (has_sigma(scene.surface_tension) && sigma > 0)
-        step = std::min(
-            step, std::sqrt(scene.rest_density * spacing * spacing * spacing / (two_pi * sigma)));
+        step = std::min(step, capillary_time_step(sigma, scene.rest_density, spacing));
     // A step that falls farther than this share of a spacing asks more of the pressure than it
     // can give back without throwing particles up.
     constexpr double falling_share = 0.075 * 0.075;

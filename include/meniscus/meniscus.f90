@@ -1,0 +1,1 @@
+../../bindings/fortran/meniscus.f90
