@@ -1,5 +1,7 @@
 #include "surface_step.hpp"
 
+#include <algorithm>
+#include <omp.h>
 #include <stdexcept>
 #include <string>
 
@@ -20,8 +22,11 @@ void check_setup(const StepSetup& setup) {
 std::unique_ptr<SurfaceStep> surface_step(const SurfaceTensionOptions& options,
                                           const StepSetup& setup, InstructionSet widest) {
     check_setup(setup);
+    StepSetup resolved = setup;
+    if (setup.threads == 0) // OMP_NUM_THREADS may say anything
+        resolved.threads = std::clamp(omp_get_max_threads(), 1, max_threads);
     return with_instruction_set(widest,
-                                [&](auto set) { return surface_step(set, options, setup); });
+                                [&](auto set) { return surface_step(set, options, resolved); });
 }
 
 } // namespace meniscus

@@ -21,7 +21,7 @@ inline constexpr int max_threads = 1024;
 struct StepSetup {
     int dimension = 3;     ///< 2 or 3
     bool is_double = true; ///< number type of all arrays of reals that go in and out; else float
-    int threads = 0;       ///< 0: all that OpenMP offers
+    int threads = 0;       ///< 0: all that OpenMP offers, at most max_threads
 };
 
 /// The particles of one step, all of one phase or with lists that hold neighbors of the same phase

@@ -1,4 +1,6 @@
-#include "scene.hpp"
+#include "scene_size.hpp"
+
+#include "detail/scene_limits.hpp"
 
 #include <meniscus/data/formats/snapshot_files.hpp>
 #include <meniscus/data/particles/boundary_sampling.hpp>
@@ -12,12 +14,8 @@
 namespace meniscus {
 namespace {
 
-constexpr double max_particles = 5e8;
 constexpr double min_distance = 0.1; // of two fluid particles, over the spacing
-// Between irregular samples of a wall are holes of up to their spacing, through which a fluid would
-// be pressed if that were the particles'.
-constexpr double irregular_share = 0.7;
-constexpr double rounding = 1e-6; // of lengths that should be whole spacings
+constexpr double rounding = 1e-6;    // of lengths that should be whole spacings
 
 /// The places first + spacing (i, j, k) below `count` that `holds` is true for.
 template <class Holds>
@@ -330,6 +328,7 @@ void check_resolution(const Place& place, const Scene& scene, const char* what,
 }
 
 SceneParticles fill_scene(const Scene& scene) {
+    check_size(scene);
     SceneParticles particles;
     const std::vector<std::size_t> fluid_starts = add_fluid(scene, particles);
     std::vector<std::size_t> wall_starts;
@@ -350,6 +349,19 @@ SceneParticles fill_scene(const Scene& scene) {
     for (int axis = 0; axis < scene.dimension; ++axis)
         particles.mass *= scene.particle_spacing;
     return particles;
+}
+
+std::vector<std::filesystem::path> files_read_by(const Scene& scene) {
+    std::vector<std::filesystem::path> files;
+    for (const FluidBody& body : scene.fluid)
+        if (const auto* snapshot = std::get_if<SnapshotShape>(&body.shape))
+            files.push_back(snapshot->file);
+    for (const Wall& wall : scene.walls)
+        if (const auto* mesh = std::get_if<MeshShape>(&wall.shape))
+            files.push_back(mesh->file);
+    if (!scene.surface_tension.model_file.empty())
+        files.push_back(scene.surface_tension.model_file);
+    return files;
 }
 
 double particle_volume(const Scene& scene) {

@@ -1,0 +1,70 @@
+#include "threads.hpp"
+
+#include "command_line.hpp"
+
+#include <meniscus/data/text/errors.hpp>
+#include <meniscus/data/threads/threads.hpp>
+
+#include <cerrno>
+#include <cstdlib>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <omp.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace meniscus {
+namespace {
+
+void start_all(int threads) {
+#pragma omp parallel num_threads(threads)
+    {}
+}
+
+/// Tries it in a child, which libgomp may end as it likes; nothing of what it prints is seen.
+bool can_start(int threads) {
+    const pid_t child = fork();
+    if (child == 0) {
+        const int nowhere = open("/dev/null", O_WRONLY);
+        dup2(nowhere, STDERR_FILENO);
+        start_all(threads);
+        _exit(0);
+    }
+    int status = 0;
+    while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    return child > 0 && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+} // namespace
+
+void wait_asleep(char** arguments) {
+    if (std::getenv("OMP_WAIT_POLICY") != nullptr || std::getenv("GOMP_SPINCOUNT") != nullptr)
+        return;
+    std::error_code error;
+    const Path program = std::filesystem::read_symlink("/proc/self/exe", error);
+    if (error || setenv("OMP_WAIT_POLICY", "passive", 1) != 0)
+        return;
+    execv(program.c_str(), arguments); // where that fails, threads wait as they would
+}
+
+void limit_threads() {
+    const int asked = omp_get_max_threads(); // 0 for 2^32
+    if (asked >= 1 && asked <= thread_limit)
+        return;
+    print_error_line(fmt::format("warning: OMP_NUM_THREADS must be from 1 to {}, found {}; takes "
+                                 "{} threads",
+                                 thread_limit, std::getenv("OMP_NUM_THREADS"), thread_limit));
+    omp_set_num_threads(thread_limit);
+}
+
+void check_threads_start(int threads) {
+    const int count = thread_count(threads);
+    if (count > 1 && !can_start(count))
+        throw FailureError(fmt::format("{} threads cannot be started here; take fewer with "
+                                       "--threads or OMP_NUM_THREADS, or allow more memory and "
+                                       "processes (ulimit -v, -u)",
+                                       count));
+}
+
+} // namespace meniscus
