@@ -16,9 +16,11 @@
  * All functions that return int return a meniscus_status; what is wrong stands in
  * meniscus_last_error(). A handle serves one caller at a time; it spreads its work over threads of
  * its own. The library picks the widest vector instructions that the machine has (baseline, AVX2 or
- * AVX-512), which changes no bit of a result, and neither does the number of threads. Units are SI:
- * lengths in m, masses in kg, forces in N (in two dimensions N per m of depth). Indices count from
- * 0. */
+ * AVX-512), which changes no bit of a result, and neither does the number of threads. These are
+ * OpenMP's: where they share cores with others, set OMP_WAIT_POLICY=passive before the process
+ * starts, since libgomp's threads spin while they wait, and libgomp ends the process where it
+ * cannot start them. Units are SI: lengths in m, masses in kg, forces in N (in two dimensions N per
+ * m of depth). Indices count from 0. */
 #ifndef MENISCUS_H
 #define MENISCUS_H
 

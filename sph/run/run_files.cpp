@@ -129,9 +129,9 @@ void check_nothing_is_in_the_way(const Scene& scene, const fs::path& folder,
 
 void check_has_no_frames(const Scene& scene, const fs::path& folder, const RunRecord& record) {
     for (const RecordedFile& one : record.files())
-        if (is_there(folder / one.name))
+        if (one.hash != unsettled && is_there(folder / one.name))
             throw InputError((folder / one.name).string() +
-                             ": the folder has files of a run of scene '" + scene.name +
+                             ": the folder has frames of scene '" + scene.name +
                              "' and no checkpoint to go on from; choose another folder, or "
                              "--restart, which removes them");
 }
