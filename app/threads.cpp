@@ -5,7 +5,9 @@
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/threads/threads.hpp>
 
+#include <atomic>
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -17,12 +19,14 @@ namespace meniscus {
 namespace {
 
 void start_all(int threads) {
+    std::atomic<int> started{0}; // what does nothing would be left out
 #pragma omp parallel num_threads(threads)
-    {}
+    started.fetch_add(1, std::memory_order_relaxed);
 }
 
 /// Tries it in a child, which libgomp may end as it likes; nothing of what it prints is seen.
 bool can_start(int threads) {
+    std::fflush(nullptr); // or the child would print it again
     const pid_t child = fork();
     if (child == 0) {
         const int nowhere = open("/dev/null", O_WRONLY);

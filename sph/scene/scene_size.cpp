@@ -16,10 +16,12 @@
 namespace meniscus {
 namespace {
 
-// Of the largest resident size of runs, per particle, and then some less: what is refused must be
-// too large indeed.
-constexpr double bytes_of_fluid = 900;
-constexpr double bytes_of_wall = 350;
+// By how much the largest resident size of a run (DFSPH, h of two spacings) grows with each
+// particle of a kind, rounded down: what is refused must be too large indeed.
+constexpr double bytes_of_fluid = 650; // without neighbor lists
+constexpr double bytes_of_neighbor = 4;
+constexpr double bytes_on_box = 180;
+constexpr double bytes_on_irregular_wall = 280;
 
 double fluid_in(const LatticeShape& shape, const Scene& /*scene*/) {
     return double(shape.count[0]) * double(shape.count[1]) * double(shape.count[2]);
@@ -28,7 +30,7 @@ double fluid_in(const LatticeShape& shape, const Scene& /*scene*/) {
 double fluid_in(const BoxShape& shape, const Scene& scene) {
     double count = 1;
     for (int axis = 0; axis < scene.dimension; ++axis)
-        count *= std::max(0.0, (shape.high[axis] - shape.low[axis]) / scene.particle_spacing);
+        count *= std::floor((shape.high[axis] - shape.low[axis]) / scene.particle_spacing);
     return count;
 }
 
@@ -68,28 +70,47 @@ double walls_on(const MeshShape& shape, const Scene& scene) {
     }
 }
 
+double neighbors_of(const Scene& scene) {
+    const double h = spacing_ratio(scene);
+    return scene.dimension == 2 ? pi * h * h : 4 * pi / 3 * h * h * h;
+}
+
 double bytes_from(const char* file) {
     std::ifstream stream(file);
     double bytes = 0;
     return stream >> bytes ? bytes : INFINITY; // "max" is none
 }
 
-std::string count_text(const SceneSize& size) {
-    return rounded_text(size.fluid, 3) + " fluid and " + rounded_text(size.walls, 3) +
-           " wall particles";
+/// The count, unless nobody can mean it.
+double checked(double count, const Scene& scene, const char* list, std::size_t entry) {
+    if (count > max_particles)
+        throw InputError("scene '" + scene.name + "', " + list + "[" + std::to_string(entry) +
+                         "]: would have about " + rounded_text(count, 2) +
+                         (list == std::string("walls") ? " wall" : "") +
+                         " particles, expected at most " + rounded_text(max_particles, 2) +
+                         "; make it smaller or take a larger particle_spacing");
+    return count;
 }
 
 } // namespace
 
 SceneSize expected_size(const Scene& scene) {
     SceneSize size;
-    for (const FluidBody& body : scene.fluid)
-        size.fluid +=
-            std::visit([&](const auto& shape) { return fluid_in(shape, scene); }, body.shape);
-    for (const Wall& wall : scene.walls)
-        size.walls +=
-            std::visit([&](const auto& shape) { return walls_on(shape, scene); }, wall.shape);
-    size.memory = bytes_of_fluid * size.fluid + bytes_of_wall * size.walls;
+    for (std::size_t b = 0; b < scene.fluid.size(); ++b)
+        size.fluid += checked(std::visit([&](const auto& shape) { return fluid_in(shape, scene); },
+                                         scene.fluid[b].shape),
+                              scene, "fluid", b);
+    size.memory = size.fluid *
+                  (bytes_of_fluid + bytes_of_neighbor * std::min(neighbors_of(scene), size.fluid));
+    for (std::size_t w = 0; w < scene.walls.size(); ++w) {
+        const WallShape& wall = scene.walls[w].shape;
+        const double count =
+            checked(std::visit([&](const auto& shape) { return walls_on(shape, scene); }, wall),
+                    scene, "walls", w);
+        size.walls += count;
+        size.memory += count * (std::holds_alternative<BoxShape>(wall) ? bytes_on_box
+                                                                       : bytes_on_irregular_wall);
+    }
     return size;
 }
 
@@ -106,15 +127,13 @@ double memory_limit() {
 
 void check_size(const Scene& scene) {
     const SceneSize size = expected_size(scene);
-    const std::string what = "scene '" + scene.name + "' would have about " + count_text(size);
-    if (size.fluid > max_particles || size.walls > max_particles)
-        throw InputError(what + ", expected at most " + rounded_text(max_particles, 3) +
-                         " of each; take a larger particle_spacing");
     const double limit = memory_limit();
     if (size.memory > limit)
-        throw FailureError(what + ", which take about " + rounded_text(size.memory / 1e9, 3) +
-                           " GB; there are " + rounded_text(limit / 1e9, 3) +
-                           " GB. Take a larger particle_spacing, or a larger machine");
+        throw FailureError(
+            "scene '" + scene.name + "' would have about " + rounded_text(size.fluid, 3) +
+            " fluid and " + rounded_text(size.walls, 3) + " wall particles, which take about " +
+            rounded_text(size.memory / 1e9, 3) + " GB; there are " + rounded_text(limit / 1e9, 3) +
+            " GB. Take a larger particle_spacing, or a larger machine");
 }
 
 } // namespace meniscus

@@ -14,15 +14,16 @@ struct SceneSize {
     double memory = 0; ///< bytes that a run takes, roughly
 };
 
-/// A mesh whose file cannot be read counts as none.
+/// A mesh whose file cannot be read counts as none. Throws InputError, naming the entry, where one
+/// would have more than 5e8 particles.
 SceneSize expected_size(const Scene& scene);
 
 /// Bytes that this process may take: what the machine has, or less where a limit is set (ulimit -v,
 /// control group).
 double memory_limit();
 
-/// Throws InputError where there would be more than 5e8 particles, FailureError where they would
-/// take more than memory_limit(); both with numbers.
+/// Throws as expected_size() does, and FailureError, with numbers, where they would take more than
+/// memory_limit().
 void check_size(const Scene& scene);
 
 } // namespace meniscus
