@@ -6,6 +6,7 @@
 #include <meniscus/data/text/files.hpp>
 #include <meniscus/data/text/text.hpp>
 #include <meniscus/sph/run/run.hpp>
+#include <meniscus/sph/scene/files_read.hpp>
 #include <meniscus/sph/scene/methods.hpp>
 #include <meniscus/sph/scene/scene_size.hpp>
 

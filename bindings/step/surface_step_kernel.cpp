@@ -93,7 +93,7 @@ template <class Real, int Dimension>
 class SurfaceStepKernel final : public SurfaceStep {
 public:
     SurfaceStepKernel(const SurfaceTensionOptions& options, int threads)
-        : tension(options), loop{threads} {}
+        : tension(options), loop{threads > 0 ? threads : omp_get_max_threads()} {}
 
     void reserve(std::size_t particles, std::size_t neighbors) override {
         tension.reserve(particles, neighbors, loop.workers());

@@ -10,6 +10,7 @@
 #include <meniscus/data/text/text.hpp>
 #include <meniscus/data/threads/threads.hpp>
 #include <meniscus/runtime/version.hpp>
+#include <meniscus/sph/scene/files_read.hpp>
 
 #include <algorithm>
 #include <chrono>
