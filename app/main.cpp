@@ -47,7 +47,9 @@ int main(int argument_count, char** arguments) {
     try {
         meniscus::wait_asleep(arguments);
         meniscus::install_interrupt_handler();
-        meniscus::limit_threads();
+        const std::string warning = meniscus::limit_threads();
+        if (!warning.empty())
+            meniscus::print_error_line(warning);
         CLI::App command(
             "Finds the free surface of SPH fluids: simulate scenes, label snapshots, train "
             "a line, export it, audit it.",

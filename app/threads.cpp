@@ -1,7 +1,5 @@
 #include "threads.hpp"
 
-#include "command_line.hpp"
-
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/threads/threads.hpp>
 
@@ -10,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fcntl.h>
+#include <filesystem>
 #include <fmt/format.h>
 #include <omp.h>
 #include <sys/wait.h>
@@ -46,20 +45,20 @@ void wait_asleep(char** arguments) {
     if (std::getenv("OMP_WAIT_POLICY") != nullptr || std::getenv("GOMP_SPINCOUNT") != nullptr)
         return;
     std::error_code error;
-    const Path program = std::filesystem::read_symlink("/proc/self/exe", error);
+    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
     if (error || setenv("OMP_WAIT_POLICY", "passive", 1) != 0)
         return;
     execv(program.c_str(), arguments); // where that fails, threads wait as they would
 }
 
-void limit_threads() {
+std::string limit_threads() {
     const int asked = omp_get_max_threads(); // 0 for 2^32
     if (asked >= 1 && asked <= thread_limit)
-        return;
-    print_error_line(fmt::format("warning: OMP_NUM_THREADS must be from 1 to {}, found {}; takes "
-                                 "{} threads",
-                                 thread_limit, std::getenv("OMP_NUM_THREADS"), thread_limit));
+        return {};
     omp_set_num_threads(thread_limit);
+    const char* said = std::getenv("OMP_NUM_THREADS");
+    return fmt::format("warning: OMP_NUM_THREADS must be from 1 to {0}, found {1}; takes {0}",
+                       thread_limit, said != nullptr ? said : std::to_string(asked));
 }
 
 void check_threads_start(int threads) {

@@ -2,6 +2,8 @@
 // machine starts them. OpenMP itself settles none of it in a way that a user can live with.
 #pragma once
 
+#include <string>
+
 namespace meniscus {
 
 /// Has threads that wait for others sleep, unless the environment says how they are to wait
@@ -10,9 +12,9 @@ namespace meniscus {
 /// it is loaded, so the program runs itself once more. `arguments`: those of main().
 void wait_asleep(char** arguments);
 
-/// Lowers what OMP_NUM_THREADS says to what --threads may, with a warning: far more crash in
-/// libgomp.
-void limit_threads();
+/// Lowers what OMP_NUM_THREADS says to what --threads may, since far more crash in libgomp. Returns
+/// a warning, or nothing.
+std::string limit_threads();
 
 /// Throws FailureError where so many threads, 0 for all, cannot be started: libgomp would end the
 /// process with a status of its own.
