@@ -211,7 +211,10 @@ TEST_F(RunFiles, ASceneThatDoesNotFitIsRefusedBeforehand) {
             {"'floor'", "8.0 fluid and 4.09e+06 wall particles", "1.02 GB", "particle_spacing"});
     const Words huge = {"--set", "particle_spacing=0.00001", "--set",
                         R"(fluid=[{"box": {"low": [0, 0, 0], "high": [1, 1, 1]}}])"};
-    fail(2, simulate(scene, huge), {"1e+15", "5e+08"});
+    fail(2, simulate(scene, huge), {"fluid[0]", "1e+15", "5e+08"});
+    const Words dense = {"--set", "support_radius=1", "--set",
+                         R"(fluid=[{"lattice": {"count": [13, 13, 13]}}])"};
+    fail(2, simulate(scene, dense), {"support radius of 1", "neighbors a particle", "2000"});
 }
 
 } // namespace
