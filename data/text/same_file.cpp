@@ -10,8 +10,9 @@ bool is_same_file(const fs::path& one, const fs::path& other) {
     if (one.empty() || other.empty())
         return false;
     std::error_code error;
-    if (fs::equivalent(one, other, error))
-        return true;
+    const bool is_same = fs::equivalent(one, other, error);
+    if (!error) // one of them is there at least
+        return is_same;
     const fs::path first = fs::weakly_canonical(fs::absolute(one), error);
     if (error)
         return false; // cannot be looked at, and so not written either

@@ -7,8 +7,8 @@
 
 namespace meniscus {
 
-/// By device and inode where both are there, else by where the names lead once links and `..` are
-/// followed. An empty name means no file.
+/// By device and inode or, where neither is there yet, by where the names lead once links and `..`
+/// are followed. An empty name means no file.
 bool is_same_file(const std::filesystem::path& one, const std::filesystem::path& other);
 
 /// Throws InputError, naming it, where a file to be written is one of those that are read.

@@ -63,8 +63,8 @@ std::string line_of(const RecordedFile& file) {
 
 RecordedFile file_of(const std::string& line) {
     RecordedFile file;
-    if (line.size() > name_begin) {
-        const std::size_t digits = line.find_first_not_of(' ', hash_width);
+    const std::size_t digits = line.find_first_not_of(' ', hash_width);
+    if (line.size() > name_begin && digits < name_begin) {
         read_number(std::string_view(line).substr(digits, name_begin - 1 - digits), file.bytes);
         file.hash = line.substr(0, line.find(' '));
         file.name = line.substr(name_begin);

@@ -213,7 +213,7 @@ TEST_F(RunFiles, ASceneThatDoesNotFitIsRefusedBeforehand) {
                         R"(fluid=[{"box": {"low": [0, 0, 0], "high": [1, 1, 1]}}])"};
     fail(2, simulate(scene, huge), {"fluid[0]", "1e+15", "5e+08"});
     const Words dense = {"--set", "support_radius=1", "--set",
-                         R"(fluid=[{"lattice": {"count": [13, 13, 13]}}])"};
+                         R"(fluid=[{"lattice": {"first": [0, 0, 0], "count": [13, 13, 13]}}])"};
     fail(2, simulate(scene, dense), {"support radius of 1", "neighbors a particle", "2000"});
 }
 
