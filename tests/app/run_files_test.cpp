@@ -58,9 +58,9 @@ TEST_F(RunFiles, NoOutputOfARunIsItsInput) {
     fs::create_directory_symlink(out, folder / "link");
     fs::create_symlink(frame(2), folder / "linked.vtkhdf");
     fs::create_hard_link(frame(2), folder / "same.vtkhdf");
-    for (const Path& name : {frame(2), folder / "link" / "tank_0002.vtkhdf",
-                             folder / "none" / ".." / "out" / "tank_0002.vtkhdf",
-                             folder / "linked.vtkhdf", folder / "same.vtkhdf"}) {
+    for (const Path& name :
+         {frame(2), folder / "link" / "tank_0002.vtkhdf", out / ".." / "out" / "tank_0002.vtkhdf",
+          folder / "linked.vtkhdf", folder / "same.vtkhdf"}) {
         const Path next = tank_from(name);
         fail(2, simulate(next, {}), {name.c_str(), "would overwrite", "-o"});
         fail(2, simulate(next, {"--restart"}), {name.c_str(), "would overwrite", "-o"});
