@@ -121,9 +121,8 @@ TEST_F(RunFiles, OneRunAtATimeIsAtWork) {
     kill(first, SIGKILL);
     finish(first);
     succeed(simulate({"--duration", "0.02", "--restart"})); // its lock went with it
-    EXPECT_EQ(files(),
-              (Words{"out/tank_0000.vtkhdf", "out/tank_0001.vtkhdf", "out/tank_checkpoint.vtkhdf",
-                     "out/tank_files.txt", "out/tank_log.csv", "said", "tank.json"}));
+    EXPECT_EQ(read_vtkhdf(out / "tank_checkpoint.vtkhdf").time, 0.02);
+    EXPECT_FALSE(fs::exists(frame(2)));
 }
 
 TEST_F(RunFiles, LossIsNoticedWhenARunGoesOn) {
@@ -142,23 +141,24 @@ TEST_F(RunFiles, LossIsNoticedWhenARunGoesOn) {
         {"tank_0001.vtkhdf", flipped},
         {"tank_log.csv", ""},
         {"tank_log.csv", "frame,time\n"}};
-    for (const auto& [name, bytes] : damages)
-        for (const Words& more : {Words{}, {"--duration", "0.06"}}) { // finished, and going on
-            restored();
-            fs::remove(out / name);
-            if (!bytes.empty())
-                write(std::string("out/") + name, bytes);
-            fail(2, simulate(more), {name, "--accept-loss", "--restart"});
-            succeed(simulate(more + Words{"--accept-loss"}));
-            succeed(simulate(more)); // accepted once and for all
-            EXPECT_EQ(bytes_of(out / "tank_log.csv").rfind(bytes_of(whole / "tank_log.csv"), 0),
-                      0U);
-        }
+    bool goes_on = false; // a finished run, or one that is to be longer
+    for (const auto& [name, bytes] : damages) {
+        const Words more = goes_on ? Words{"--duration", "0.06"} : Words{};
+        goes_on = !goes_on;
+        restored();
+        fs::remove(out / name);
+        if (!bytes.empty())
+            write(std::string("out/") + name, bytes);
+        fail(2, simulate(more), {name, "--accept-loss", "--restart"});
+        succeed(simulate(more + Words{"--accept-loss"}));
+        succeed(simulate(more)); // accepted once and for all
+        EXPECT_EQ(bytes_of(out / "tank_log.csv").rfind(bytes_of(whole / "tank_log.csv"), 0), 0U);
+    }
     restored();
     for (const int number : {0, 1, 2})
         fs::remove(frame(number));
     fs::remove(out / "tank_log.csv");
-    fail(2, simulate(), {"tank_0000.vtkhdf: is missing, tank_0001.vtkhdf is missing", "2 more"});
+    fail(2, simulate(), {"tank_0000.vtkhdf: is missing, tank_0001.vtkhdf is missing", "1 more"});
     succeed(simulate({"--restart"}));
     EXPECT_TRUE(bytes_of(frame(1)) == bytes_of(whole / "tank_0001.vtkhdf"));
 }
@@ -208,7 +208,7 @@ TEST_F(RunFiles, ASceneThatDoesNotFitIsRefusedBeforehand) {
 #endif
     const Words limited = {"sh", "-c", "ulimit -v 1000000 && exec \"$@\"", "sh"};
     fail_as(3, limited + program + simulate(save_floor(folder), {}),
-            {"'floor'", "8.0 fluid and 4.09e+06 wall particles", "1.02 GB", "particle_spacing"});
+            {"'floor'", "8 fluid and 4.09e+06 wall particles", "1.02 GB", "particle_spacing"});
     const Words huge = {"--set", "particle_spacing=0.00001", "--set",
                         R"(fluid=[{"box": {"low": [0, 0, 0], "high": [1, 1, 1]}}])"};
     fail(2, simulate(scene, huge), {"fluid[0]", "1e+15", "5e+08"});
