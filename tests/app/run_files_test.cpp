@@ -107,7 +107,8 @@ TEST_F(RunFiles, WhatNoRecordListsIsInTheWay) {
 }
 
 TEST_F(RunFiles, OneRunAtATimeIsAtWork) {
-    const Words longer = simulate({"--duration", "100", "--checkpoint-interval", "0"});
+    const Words longer =
+        simulate({"--duration", "100", "--checkpoint-interval", "0", "--set", "gravity=[0,0,0]"});
     const pid_t first = start(program + longer);
     while (!fs::exists(frame(1)))
         usleep(1000);
