@@ -18,9 +18,9 @@
  * its own. The library picks the widest vector instructions that the machine has (baseline, AVX2 or
  * AVX-512), which changes no bit of a result, and neither does the number of threads. These are
  * OpenMP's: where they share cores with others, set OMP_WAIT_POLICY=passive before the process
- * starts, since libgomp's threads spin while they wait, and libgomp ends the process where it
- * cannot start them. Units are SI: lengths in m, masses in kg, forces in N (in two dimensions N per
- * m of depth). Indices count from 0. */
+ * starts, since libgomp's threads spin while they wait. meniscus_create() fails where they cannot
+ * be started; where that comes later, libgomp ends the process. Units are SI: lengths in m, masses
+ * in kg, forces in N (in two dimensions N per m of depth). Indices count from 0. */
 #ifndef MENISCUS_H
 #define MENISCUS_H
 

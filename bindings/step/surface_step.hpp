@@ -87,7 +87,7 @@ public:
 
 /// The one for this machine, of no wider instruction set than `widest`. Throws
 /// std::invalid_argument, naming it and its range, where an option or a part of the setup is out of
-/// range.
+/// range; std::runtime_error where so many threads cannot be started.
 std::unique_ptr<SurfaceStep> surface_step(const SurfaceTensionOptions& options,
                                           const StepSetup& setup,
                                           InstructionSet widest = widest_instruction_set);
