@@ -30,7 +30,7 @@ protected:
 };
 
 TEST_F(Threads, NumbersOfTheEnvironmentAreLimited) {
-    for (const char* number : {"1025", "70000", "1000000", "2147483647", "4294967296"}) {
+    for (const char* number : {"70000", "4294967296"}) {
         const Outcome outcome = label_with(std::string("OMP_NUM_THREADS=") + number);
         EXPECT_EQ(outcome.status, 0) << number << outcome.errors;
         expect_mentions(outcome.errors, {"warning: OMP_NUM_THREADS", number, "1024"});
