@@ -6,13 +6,13 @@
 
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/files.hpp>
+#include <meniscus/data/threads/threads.hpp>
 #include <meniscus/runtime/version.hpp>
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <omp.h>
 
 namespace meniscus {
 namespace {
@@ -32,6 +32,12 @@ struct Bench {
     TableInput input;
     Tables tables;
 
+    void write(const std::string& name, const std::string& text) const {
+        check_is_not_an_input(command.folder / name, input.files);
+        const WriteGuard guard;
+        write_whole(command.folder / name, text);
+    }
+
     /// Prints the table, writes it and draws its plots.
     void add(const Table& table) {
         std::string text = markdown(table);
@@ -39,11 +45,11 @@ struct Bench {
             fmt::print("\n{}\n\n{}", table.title, text);
         std::fflush(stdout);
         for (const Plot& plot : table.plots) {
+            check_is_not_an_input(command.folder / plot.file, input.files);
             draw(table, plot, command.folder);
             text += fmt::format("\n![{}]({})\n", plot.title, plot.file);
         }
-        const WriteGuard guard;
-        write_whole(command.folder / (table.name + ".md"), text);
+        write(table.name + ".md", text);
         tables.push_back(table);
     }
 };
@@ -69,8 +75,7 @@ void write_report(const Bench& bench) {
                                    {"repetitions", bench.command.timing.repetitions},
                                    {"states", inputs},
                                    {"tables", tables}};
-    const WriteGuard guard;
-    write_whole(bench.command.folder / "speed_against_error.json", report.dump(1) + "\n");
+    bench.write("speed_against_error.json", report.dump(1) + "\n");
 }
 
 /// What the figures belong to, for whoever reads the tables.
@@ -101,14 +106,14 @@ void run_bench(const BenchCommand& command) {
         input.samples = sample_snapshots();
     input.files = command.inputs.empty() ? input.samples : command.inputs;
     input.models = shipped_models();
-    input.threads = command.threads > 0 ? command.threads : omp_get_max_threads();
+    input.threads = thread_count(command.threads);
     input.timing = command.timing;
     for (const Path& file : input.files)
         input.states.push_back(read_fluid_state<float>(file));
     const std::string machine_text = about(bench);
     if (!command.quiet)
         fmt::print("{}", machine_text);
-    write_whole(command.folder / "machine.md", machine_text);
+    bench.write("machine.md", machine_text);
     for (const TableKind& table : compared_tables())
         if (is_wanted(command, table.name))
             for (const Table& made : table.make(input))

@@ -1,5 +1,6 @@
 // meniscus calibrate: the curvature map, from clouds of known curvature.
 #include "command_line.hpp"
+#include "threads.hpp"
 
 #include <meniscus/classifier/curvature/curvature_model.hpp>
 #include <meniscus/data/text/files.hpp>
@@ -33,6 +34,7 @@ CurvatureModel calibrated(const CalibrateCommand& command) {
 void run_calibrate(const CalibrateCommand& command) {
     check_is_not_an_input(command.output, {command.configuration});
     check_can_be_written(command.output);
+    check_threads_start(0);
     const CurvatureModel model = calibrated(command);
     {
         const WriteGuard guard;

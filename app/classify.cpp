@@ -42,7 +42,10 @@ void classify_file(const Path& input, const Path& output, const Model& model,
     Snapshot snapshot = read_input(input, command.input);
     set_boundary(snapshot, boundary);
     set_periodic(snapshot, command.input);
-    earlier_output(output, "predicted_surface");
+    set_input_provenance(snapshot, input);
+    const auto earlier = earlier_output(output, "predicted_surface");
+    if (!command.files.overwrite)
+        check_made_from_same(output, earlier, snapshot);
     const Classes classes =
         classify_snapshot(snapshot, model, {command.skip_invalid, command.threads});
     set_array(snapshot, {"predicted_surface", 1, classes.surface});
@@ -50,7 +53,6 @@ void classify_file(const Path& input, const Path& output, const Model& model,
     const SurfaceReport report = add_surface(snapshot, classes, model, options,
                                              command.surface.balance_momentum, command.threads);
     snapshot.provenance["program"] = std::string("meniscus ") + program_version;
-    snapshot.provenance["input_hash"] = file_hash(input);
     snapshot.provenance["model_hash"] = model_hash;
     {
         const WriteGuard guard;
@@ -72,7 +74,7 @@ void run_classify(const ClassifyCommand& command) {
     const SurfaceTensionOptions options = surface_options(command.surface);
     const Model model = read_model(command.model);
     const std::string model_hash = file_hash(command.model);
-    const auto outputs = output_files(command.files);
+    const auto outputs = output_files(command.files, {command.model, command.boundary});
     const Boundary boundary = read_boundary(command.boundary);
     make_writable_folder(command.files.folder);
     for (std::size_t f = 0; f < outputs.size(); ++f)
@@ -95,6 +97,7 @@ void add_classify(CLI::App& command) {
     verb->add_option("-o,--output", options->files.folder,
                      "Folder for the classified snapshots, DIR/<stem of INPUT>.vtkhdf")
         ->required();
+    add_overwrite_option(*verb, options->files);
     add_input_options(*verb, options->input);
     verb->add_option("--boundary", options->boundary,
                      "File with the boundary particles for all inputs, which cover, and count "

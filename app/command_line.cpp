@@ -1,8 +1,11 @@
 #include "command_line.hpp"
 
+#include "threads.hpp"
+
 #include <meniscus/data/formats/vtkhdf.hpp>
 #include <meniscus/data/particles/generic_names.hpp>
 #include <meniscus/data/text/errors.hpp>
+#include <meniscus/data/threads/threads.hpp>
 
 #include <csignal>
 #include <cstdio>
@@ -65,8 +68,10 @@ void add_quiet_option(CLI::App& verb, bool& quiet) {
 
 void add_threads_option(CLI::App& verb, int& threads) {
     verb.add_option("--threads", threads, "Threads; 0: all cores")
-        ->check(CLI::Range(0, 1024))
+        ->check(CLI::Range(0, thread_limit))
         ->capture_default_str();
+    // Before the verb's own callback.
+    verb.parse_complete_callback([&threads] { check_threads_start(threads); });
 }
 
 CLI::Range whole_numbers() {
@@ -80,16 +85,6 @@ void print_error_line(const std::string& message) {
         if (c == '\n' || c == '\r')
             c = ' ';
     fmt::print(stderr, "meniscus: {}\n", line);
-}
-
-void check_is_not_an_input(const Path& output, const std::vector<Path>& inputs) {
-    for (const Path& input : inputs) {
-        std::error_code ignored;
-        if (std::filesystem::equivalent(input, output, ignored))
-            throw InputError(fmt::format("output {} would overwrite the input of that name; choose "
-                                         "another name with -o",
-                                         output.string()));
-    }
 }
 
 namespace {
@@ -111,7 +106,7 @@ void check_is_no_checkpoint(const Path& input) {
 
 } // namespace
 
-std::vector<Path> output_files(const InputsAndFolder& files) {
+std::vector<Path> output_files(const InputsAndFolder& files, const std::vector<Path>& also_read) {
     std::map<Path, Path> input_of;
     std::vector<Path> outputs;
     for (const Path& input : files.inputs) {
@@ -126,9 +121,17 @@ std::vector<Path> output_files(const InputsAndFolder& files) {
                                          other->second.string(), input.string(),
                                          outputs.back().string()));
     }
-    for (const Path& output : outputs)
+    for (const Path& output : outputs) {
         check_is_not_an_input(output, files.inputs);
+        check_is_not_an_input(output, also_read);
+    }
     return outputs;
+}
+
+void add_overwrite_option(CLI::App& verb, InputsAndFolder& files) {
+    verb.add_flag("--overwrite", files.overwrite,
+                  "Overwrite outputs that were made from another input (default: refuse; those of "
+                  "the same file are made anew where it or an option has changed)");
 }
 
 void make_writable_folder(const Path& folder) {

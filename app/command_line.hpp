@@ -2,6 +2,8 @@
 // how they name files. A verb is one file with one function that adds it to the command.
 #pragma once
 
+#include <meniscus/data/text/same_file.hpp>
+
 #include <CLI/CLI.hpp>
 
 #include <chrono>
@@ -48,17 +50,19 @@ void print_error_line(const std::string& message);
 struct InputsAndFolder {
     std::vector<Path> inputs;
     Path folder;
+    bool overwrite = false; ///< outputs that were made from another input
 };
 
 /// Output of each input: folder/<stem of input>.vtkhdf. Throws InputError where an input does not
-/// exist, where two inputs have one output name, or where an output would fall on an input.
-std::vector<Path> output_files(const InputsAndFolder& files);
+/// exist, where two inputs have one output name, or where an output would fall on an input or on
+/// one of the other files that are read.
+std::vector<Path> output_files(const InputsAndFolder& files, const std::vector<Path>& also_read);
+
+/// Adds --overwrite to a verb.
+void add_overwrite_option(CLI::App& verb, InputsAndFolder& files);
 
 /// Creates the folder where it is missing; throws InputError where it cannot be written to.
 void make_writable_folder(const Path& folder);
-
-/// Throws InputError where `output` is one of the files that it is made from.
-void check_is_not_an_input(const Path& output, const std::vector<Path>& inputs);
 
 /// A bar on standard error while something long runs; silent where that is no terminal.
 class ProgressBar {

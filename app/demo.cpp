@@ -1,6 +1,7 @@
 // meniscus demo: the whole chain on the samples that ship with the project.
 #include "label.hpp"
 #include "shipped_files.hpp"
+#include "threads.hpp"
 
 #include <meniscus/classifier/audit/audit.hpp>
 #include <meniscus/classifier/export/header_export.hpp>
@@ -42,6 +43,7 @@ Model train_on(const std::vector<Path>& labelled, double label_threshold) {
 }
 
 void run_demo(const DemoCommand& command) {
+    check_threads_start(0);
     LabelCommand labelling;
     labelling.files = {sample_snapshots(), command.folder / "labelled"};
     labelling.quiet = command.quiet;

@@ -13,19 +13,26 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <functional>
+#include <map>
 #include <memory>
 #include <numeric>
 
 namespace meniscus {
 namespace {
 
-/// True where `output` holds the labels that would be made again.
-bool is_up_to_date(const Path& output, const Snapshot& input) {
-    const auto existing = earlier_output(output, "uncovered_fraction");
+/// The provenance but for the input's name: its hash says what it was.
+std::map<std::string, std::string> provenance_without_name(const Snapshot& snapshot) {
+    auto provenance = snapshot.provenance;
+    provenance.erase("input");
+    return provenance;
+}
+
+/// True where an earlier output holds the labels that would be made again.
+bool is_up_to_date(const std::optional<Snapshot>& existing, const Snapshot& input) {
     return existing && existing->scene == input.scene && existing->dimension == input.dimension &&
            existing->particle_spacing == input.particle_spacing &&
            (!input.particle_volume || existing->particle_volume == input.particle_volume) &&
-           existing->provenance == input.provenance;
+           provenance_without_name(*existing) == provenance_without_name(input);
 }
 
 void report(const Path& output, const Snapshot& snapshot, const Labels& labels,
@@ -70,12 +77,15 @@ void label_file(const Path& input, const Path& output, const Boundary& boundary,
     set_periodic(snapshot, command.input);
     const SupportRadii radii = support_radii(snapshot);
     set_label_provenance(snapshot, radii, command.label);
-    snapshot.provenance["input_hash"] = file_hash(input);
-    if (is_up_to_date(output, snapshot)) {
+    set_input_provenance(snapshot, input);
+    const auto earlier = earlier_output(output, "uncovered_fraction");
+    if (is_up_to_date(earlier, snapshot)) {
         if (!command.quiet)
             fmt::print("{}: up to date\n", output.string());
         return;
     }
+    if (!command.files.overwrite)
+        check_made_from_same(output, earlier, snapshot);
     const Labels labels = [&] {
         ProgressBar bar(output.filename().string(), snapshot.size(), command.quiet);
         LabelOptions options = command.label;
@@ -115,8 +125,31 @@ std::optional<Snapshot> earlier_output(const Path& output, const char* array) {
                                  output.string(), array));
 }
 
+void set_input_provenance(Snapshot& snapshot, const Path& input) {
+    const Path whole = std::filesystem::canonical(input);
+    const Path folder = whole.parent_path();
+    snapshot.provenance["input"] =
+        (folder.parent_path().filename() / folder.filename() / whole.filename()).string();
+    snapshot.provenance["input_hash"] = file_hash(input);
+}
+
+void check_made_from_same(const Path& output, const std::optional<Snapshot>& earlier,
+                          const Snapshot& snapshot) {
+    const auto is_same = [&](const char* name) {
+        const auto entry = earlier->provenance.find(name);
+        return entry != earlier->provenance.end() && entry->second == snapshot.provenance.at(name);
+    };
+    if (!earlier || is_same("input_hash") || is_same("input"))
+        return;
+    const auto name = earlier->provenance.find("input");
+    throw InputError(fmt::format("{}: was made from another input{}; choose another folder with "
+                                 "-o, or --overwrite",
+                                 output.string(),
+                                 name == earlier->provenance.end() ? "" : ", " + name->second));
+}
+
 std::vector<Path> run_label(const LabelCommand& command) {
-    auto outputs = output_files(command.files);
+    auto outputs = output_files(command.files, {command.boundary});
     const Boundary boundary = read_boundary(command.boundary);
     make_writable_folder(command.files.folder);
     for (std::size_t f = 0; f < outputs.size(); ++f)
@@ -172,6 +205,7 @@ void add_label(CLI::App& command) {
     verb->add_option("-o,--output", options->files.folder,
                      "Folder for the labelled snapshots, DIR/<stem of INPUT>.vtkhdf")
         ->required();
+    add_overwrite_option(*verb, options->files);
     add_input_options(*verb, options->input);
     const auto settle_method = add_method_options(*verb, options->label);
     verb->add_option("--radius-ratio", options->label.radius_ratio,

@@ -71,6 +71,14 @@ bool warn_of_support_radius(const Path& file, const Snapshot& snapshot,
 /// file. Throws InputError where something else is there: that is not ours to overwrite.
 std::optional<Snapshot> earlier_output(const Path& output, const char* array);
 
+/// Says in the provenance what the snapshot is made from: SHA-256 of the input, and the end of its
+/// path, by which a changed input is told from another one.
+void set_input_provenance(Snapshot& snapshot, const Path& input);
+
+/// Throws InputError where an earlier output was made from another input than `snapshot` is.
+void check_made_from_same(const Path& output, const std::optional<Snapshot>& earlier,
+                          const Snapshot& snapshot);
+
 struct LabelCommand {
     InputsAndFolder files;
     InputOptions input;

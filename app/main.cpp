@@ -2,6 +2,7 @@
 // line on standard error and an exit status: 1 a limit asked for is exceeded, 2 bad input or usage,
 // 3 failure while running, 130 interrupted.
 #include "command_line.hpp"
+#include "threads.hpp"
 
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/runtime/version.hpp>
@@ -44,7 +45,11 @@ int run(CLI::App& command, int argument_count, char** arguments) {
 
 int main(int argument_count, char** arguments) {
     try {
+        meniscus::wait_asleep(arguments);
         meniscus::install_interrupt_handler();
+        const std::string warning = meniscus::limit_threads();
+        if (!warning.empty())
+            meniscus::print_error_line(warning);
         CLI::App command(
             "Finds the free surface of SPH fluids: simulate scenes, label snapshots, train "
             "a line, export it, audit it.",

@@ -6,10 +6,13 @@
 #include <meniscus/data/text/files.hpp>
 #include <meniscus/data/text/text.hpp>
 #include <meniscus/sph/run/run.hpp>
+#include <meniscus/sph/scene/files_read.hpp>
 #include <meniscus/sph/scene/methods.hpp>
+#include <meniscus/sph/scene/scene_size.hpp>
 
 #include <fmt/format.h>
 #include <memory>
+#include <optional>
 
 namespace meniscus {
 namespace {
@@ -68,6 +71,17 @@ private:
     }
 };
 
+/// What takes long before the first step is said beforehand.
+void announce(const Scene& scene) {
+    constexpr double many = 1e7;
+    const SceneSize size = expected_size(scene);
+    if (size.fluid + size.walls > many)
+        print_error_line(fmt::format(
+            "scene '{}' has about {:.2g} fluid and {:.2g} wall particles, which take about {:.2g} "
+            "GB and long to fill; a larger particle_spacing makes it smaller",
+            scene.name, size.fluid, size.walls, size.memory / 1e9));
+}
+
 /// What is likely not meant.
 void print_warnings(const Scene& scene) {
     const double stable = longest_stable_step(scene);
@@ -103,6 +117,15 @@ void print_result(const Scene& scene, const Path& folder, const RunResult& resul
                rounded_text(result.time, 6));
 }
 
+void check_profile(const SimulateCommand& command, const Scene& scene) {
+    check_is_not_an_input(command.profile, {command.scene});
+    check_is_not_an_input(command.profile, files_read_by(scene));
+    if (!command.profile.empty() && is_written_by_run(command.profile, scene, command.folder))
+        throw InputError(command.profile.string() +
+                         ": is a file that the run itself writes; choose another name with "
+                         "--profile");
+}
+
 void run_simulate(const SimulateCommand& command) {
     std::vector<std::string> changes = command.changes;
     if (!command.duration.empty())
@@ -113,12 +136,17 @@ void run_simulate(const SimulateCommand& command) {
     if (!command.profile.empty())
         check_can_be_written(command.profile);
     make_writable_folder(command.folder);
+    check_profile(command, scene);
+    announce(scene);
     RunResult result;
     {
-        const WriteGuard guard; // an interrupt waits for the step, and for the checkpoint after it
+        std::optional<WriteGuard> guard;
         RunStatus status(scene.duration, command.quiet);
         RunOptions options = command.run;
         options.folder = command.folder;
+        options.inputs = {command.scene};
+        // An interrupt waits for the step, and for the checkpoint after it.
+        options.before_writing = [&] { guard.emplace(); };
         options.on_step = [&](const StepReport& report) { status.show(report); };
         options.stop = interrupt_is_waiting;
         result = run_scene(scene, options);
@@ -134,9 +162,14 @@ void add_run_options(CLI::App& verb, RunOptions& run) {
                     "Time between two checkpoints in s, not simulated but on the clock")
         ->check(CLI::Range(0.0, 1e9))
         ->capture_default_str();
-    verb.add_flag("--restart", run.restart,
-                  "Start over: removes frames, log and checkpoint that an earlier run of the scene "
-                  "left in the folder, from which the run would go on otherwise");
+    verb.add_flag(
+        "--restart", run.restart,
+        "Start over: removes frames, log and checkpoint that the record of an earlier run "
+        "of the scene in the folder lists, from which the run would go on otherwise");
+    verb.add_flag(
+        "--accept-loss", run.accept_loss,
+        "Go on although frames or the log of the run are missing or damaged: those frames "
+        "stay as they are, the log is written anew (default: refuse)");
     add_threads_option(verb, run.threads);
 }
 
@@ -158,7 +191,7 @@ void add_simulate(CLI::App& command) {
         ->type_name("KEY=VALUE");
     verb->add_option("--duration", options->duration,
                      "Simulated time in s; the same as --set "
-                     "duration=VALUE");
+                     "duration=VALUE. A run that is there goes on to a longer one");
     verb->add_option("--profile", options->profile,
                      "JSON file for mean times of the steps' stages");
     add_run_options(*verb, options->run);

@@ -63,6 +63,7 @@ FeaturePair searched_features(const TrainCommand& command, const Model* first) {
 
 void run_train(TrainCommand& command) {
     check_is_not_an_input(command.output, command.inputs);
+    check_is_not_an_input(command.output, {command.keep_k});
     check_can_be_written(command.output);
     if (!command.keep_k.empty())
         command.training.keep_k = read_model(command.keep_k);

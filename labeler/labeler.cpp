@@ -8,15 +8,14 @@
 #include <meniscus/data/particles/particle_volumes.hpp>
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/text.hpp>
+#include <meniscus/data/threads/threads.hpp>
 #include <meniscus/runtime/features/scaled_features.hpp>
 #include <meniscus/runtime/version.hpp>
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <exception>
 #include <numeric>
-#include <omp.h>
 #include <optional>
 
 namespace meniscus {
@@ -266,31 +265,15 @@ void label_particle(const Work& work, const Snapshot& snapshot, std::size_t plac
 /// calling thread.
 template <class WorkOn>
 void for_all_particles(std::size_t count, const LabelOptions& options, WorkOn&& work_on) {
-    constexpr std::size_t chunk = 256;
-    const auto chunks = static_cast<std::int64_t>((count + chunk - 1) / chunk);
-    const int threads = options.threads > 0 ? options.threads : omp_get_max_threads();
+    const OpenMpLoop loop = loop_over(options.threads);
+    std::vector<Workspace> workspaces(loop.workers());
     std::atomic<std::size_t> done{0};
-    std::exception_ptr failure; // must not leave the parallel region on its own
-#pragma omp parallel num_threads(threads)
-    {
-        Workspace workspace;
-#pragma omp for schedule(dynamic)
-        for (std::int64_t c = 0; c < chunks; ++c) {
-            const std::size_t begin = static_cast<std::size_t>(c) * chunk;
-            const std::size_t end = std::min(begin + chunk, count);
-            try {
-                work_on(begin, end, workspace);
-                done += end - begin;
-                if (options.progress && omp_get_thread_num() == 0)
-                    options.progress(done);
-            } catch (...) {
-#pragma omp critical
-                failure = std::current_exception();
-            }
-        }
-    }
-    if (failure)
-        std::rethrow_exception(failure);
+    loop(count, [&](std::size_t begin, std::size_t end, int worker) {
+        work_on(begin, end, workspaces[worker]);
+        done += end - begin;
+        if (options.progress && worker == 0)
+            options.progress(done);
+    });
 }
 
 /// 17 digits, not as few as read back to the same value: these bytes are part of what a labelled

@@ -15,13 +15,16 @@
  *
  * All functions that return int return a meniscus_status; what is wrong stands in
  * meniscus_last_error(). A handle serves one caller at a time, different handles any number; it
- * spreads its work over threads of OpenMP. In a child that was forked after a step had used them it
- * works on the calling thread alone; hosts whose own OpenMP threads ran before they forked set
- * `threads` to 1 in the child. Hosts may trap floating-point exceptions: what is calculated here
- * raises none in them, and leaves traps and flags as they were. The library picks the widest vector
- * instructions that the machine has (baseline, AVX2 or AVX-512), which changes no bit of a result,
- * and neither does the number of threads. Units are SI: lengths in m, masses in kg, forces in N (in
- * two dimensions N per m of depth). Indices count from 0. */
+ * spreads its work over threads of OpenMP: where they share cores with others, set
+ * OMP_WAIT_POLICY=passive before the process starts, since libgomp's threads spin while they wait.
+ * meniscus_create() fails where they cannot be started; where that comes later, libgomp ends the
+ * process. In a child that was forked after a step had used them a handle works on the calling
+ * thread alone; hosts whose own OpenMP threads ran before they forked set `threads` to 1 in the
+ * child. Hosts may trap floating-point exceptions: what is calculated here raises none in them, and
+ * leaves traps and flags as they were. The library picks the widest vector instructions that the
+ * machine has (baseline, AVX2 or AVX-512), which changes no bit of a result, and neither does the
+ * number of threads. Units are SI: lengths in m, masses in kg, forces in N (in two dimensions N per
+ * m of depth). Indices count from 0. */
 #ifndef MENISCUS_H
 #define MENISCUS_H
 

@@ -21,7 +21,7 @@ bool may_use_threads() {
 } // namespace
 
 int usual_threads() {
-    return std::min(omp_get_max_threads(), max_threads);
+    return std::clamp(omp_get_max_threads(), 1, max_threads); // OMP_NUM_THREADS says anything
 }
 
 void run_in_threads(int threads, std::size_t count, const LoopBody& body) {

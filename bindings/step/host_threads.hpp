@@ -11,7 +11,7 @@ namespace meniscus {
 /// The most threads that a setup may ask for.
 inline constexpr int max_threads = 1024;
 
-/// As many as OpenMP offers, at most max_threads.
+/// As many as OpenMP offers, at least 1 and at most max_threads.
 int usual_threads();
 
 /// A body of a loop (runtime/neighbors/parallel_loop.hpp), whatever its type.

@@ -20,7 +20,7 @@ namespace meniscus {
 struct StepSetup {
     int dimension = 3;     ///< 2 or 3
     bool is_double = true; ///< number type of all arrays of reals that go in and out; else float
-    int threads = 0;       ///< up to max_threads; 0: all that OpenMP offers
+    int threads = 0;       ///< 0: all that OpenMP offers, at most max_threads
 };
 
 /// The particles of one step, all of one phase or with lists that hold neighbors of the same phase
@@ -98,7 +98,7 @@ public:
 
 /// The one for this machine, of no wider instruction set than `widest`. Throws
 /// std::invalid_argument, naming it and its range, where an option or a part of the setup is out of
-/// range.
+/// range; std::runtime_error where so many threads cannot be started.
 std::unique_ptr<SurfaceStep> surface_step(const SurfaceTensionOptions& options,
                                           const StepSetup& setup,
                                           InstructionSet widest = widest_instruction_set);

@@ -2,12 +2,13 @@
 
 #include <meniscus/data/particles/neighbor_search.hpp>
 #include <meniscus/data/text/text.hpp>
+#include <meniscus/data/threads/threads.hpp>
 #include <meniscus/runtime/math/random_directions.hpp>
 #include <meniscus/runtime/surface/curvature_map.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
+#include <mutex>
 
 namespace meniscus {
 namespace {
@@ -273,25 +274,15 @@ std::vector<CurvatureGroup>
 curvature_groups(const Calibration& calibration,
                  const std::function<void(std::size_t, std::size_t)>& progress) {
     std::vector<Task> tasks = tasks_of(calibration);
-    std::exception_ptr failure;
+    std::mutex one_at_a_time;
     std::size_t done = 0;
-#pragma omp parallel for schedule(dynamic)
-    for (std::size_t i = 0; i < tasks.size(); ++i) {
-        std::exception_ptr own_failure;
-        try {
+    loop_over(0, 1)(tasks.size(), [&](std::size_t begin, std::size_t end, int) {
+        for (std::size_t i = begin; i < end; ++i) {
             tasks[i].fill(i, tasks[i].group);
-        } catch (...) {
-            own_failure = std::current_exception();
-        }
-#pragma omp critical
-        {
-            if (own_failure && !failure)
-                failure = own_failure;
+            const std::lock_guard<std::mutex> alone(one_at_a_time);
             progress(++done, tasks.size());
         }
-    }
-    if (failure)
-        std::rethrow_exception(failure);
+    });
     std::vector<CurvatureGroup> groups;
     for (Task& task : tasks)
         if (!task.group.samples.empty())

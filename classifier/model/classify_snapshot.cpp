@@ -4,6 +4,7 @@
 
 #include <meniscus/data/particles/particle_arrays.hpp>
 #include <meniscus/data/text/errors.hpp>
+#include <meniscus/data/text/text.hpp>
 #include <meniscus/runtime/surface/option_table.hpp>
 #include <meniscus/runtime/surface/surface_particles.hpp>
 
@@ -156,6 +157,11 @@ NeighborLists find_boundary_neighbors(const Snapshot& snapshot, const SupportRad
         lists.neighbors.insert(lists.neighbors.end(), found.particles.begin(),
                                found.particles.end());
         lists.offsets.push_back(lists.neighbors.size());
+        if (lists.neighbors.size() > max_listed_neighbors * snapshot.size())
+            throw InputError("a support radius of " + rounded_text(radii.max, 4) +
+                             " m gives more than " + std::to_string(max_listed_neighbors) +
+                             " boundary particles as neighbors of a particle on average; is it in "
+                             "m, as the positions are?");
     }
     return lists;
 }

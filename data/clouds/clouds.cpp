@@ -3,6 +3,7 @@
 #include <meniscus/data/particles/neighbor_search.hpp>
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/text.hpp>
+#include <meniscus/data/threads/threads.hpp>
 
 #include <meniscus/runtime/math/angles.hpp>
 #include <meniscus/runtime/math/random_directions.hpp>
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <omp.h>
 
 namespace meniscus {
 namespace {
@@ -386,11 +386,11 @@ Vector3 kept_inside(const Region& region, Vector3 place, double closest) {
 void relax_once(const Region& region, double spacing, int threads, Positions& positions) {
     const Pushers pushers = pushers_of(region, positions, spacing);
     const NeighborGrid grid(pushers.positions, push_reach * spacing, {}, threads);
-#pragma omp parallel num_threads(threads)
-    {
-        FoundNeighbors found;
-#pragma omp for schedule(dynamic, 1024)
-        for (std::size_t place = 0; place < grid.size(); ++place) {
+    const OpenMpLoop loop = loop_over(threads, 1024);
+    std::vector<FoundNeighbors> found_by(loop.workers());
+    loop(grid.size(), [&](std::size_t begin, std::size_t end, int worker) {
+        FoundNeighbors& found = found_by[worker];
+        for (std::size_t place = begin; place < end; ++place) {
             const std::uint32_t particle = grid.particle(place);
             if (particle >= positions.size())
                 continue;
@@ -399,14 +399,13 @@ void relax_once(const Region& region, double spacing, int threads, Positions& po
                 sum(positions[particle], push_on(particle, found, pushers, spacing));
             positions[particle] = kept_inside(region, moved, closest_to_wall * spacing);
         }
-    }
+    });
 }
 
 Positions relaxed_positions(const Region& region, const CloudOptions& options) {
     Positions positions = lattice_positions(region, options, 1);
-    const int threads = options.threads > 0 ? options.threads : omp_get_max_threads();
     for (int sweep = 0; sweep < relax_sweeps; ++sweep)
-        relax_once(region, options.spacing, threads, positions);
+        relax_once(region, options.spacing, options.threads, positions);
     // Where walls meet, one may push through the other.
     positions.erase(std::remove_if(positions.begin(), positions.end(),
                                    [&](const Vector3& place) { return !is_in(region, place); }),

@@ -175,17 +175,13 @@ void check_mesh(const TriangleMesh& mesh, double spacing) {
             if (!(std::abs(coordinate) <= max_coordinate * spacing))
                 throw InputError("vertex " + std::to_string(v + 1) + " of the mesh is not finite " +
                                  "or beyond 1e15 spacings of its particles");
-    double points = 0;
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
         for (const std::uint32_t vertex : mesh.triangles[t])
             if (vertex >= mesh.vertices.size())
                 throw InputError("triangle " + std::to_string(t + 1) + " of the mesh has vertex " +
                                  std::to_string(vertex + 1) + ", of only " +
                                  std::to_string(mesh.vertices.size()));
-        const auto [a, b, c] = corners_of(mesh, t);
-        points += area(a, b, c) / spacing / spacing +
-                  (distance(a, b) + distance(b, c) + distance(c, a)) / spacing;
-    }
+    const double points = expected_points(mesh, spacing);
     if (points > max_mesh_points)
         throw InputError("the mesh would have about " + rounded_text(points, 2) +
                          " wall particles; scale it down or take a larger spacing");
@@ -369,6 +365,16 @@ TriangleMesh read_obj(const std::filesystem::path& file) {
             throw InputError("cannot be read; expected a Wavefront OBJ file");
         return mesh_from(stream);
     });
+}
+
+double expected_points(const TriangleMesh& mesh, double spacing) {
+    double points = 0;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const auto [a, b, c] = corners_of(mesh, t);
+        points += area(a, b, c) / spacing / spacing +
+                  (distance(a, b) + distance(b, c) + distance(c, a)) / spacing;
+    }
+    return points;
 }
 
 std::vector<Place> sample_mesh(const TriangleMesh& mesh, double spacing) {

@@ -49,6 +49,9 @@ struct TriangleMesh {
 /// has no face.
 TriangleMesh read_obj(const std::filesystem::path& file);
 
+/// About how many points sample_mesh() would put on the triangles, all of whose vertices are there.
+double expected_points(const TriangleMesh& mesh, double spacing);
+
 /// Points on the triangles, 0.75 spacings apart or more and no place farther than a spacing from
 /// the next of them. Throws InputError where the spacing is not positive and finite, a vertex is
 /// not finite, a triangle has a vertex that is not there, or the mesh is so large against the

@@ -2,11 +2,11 @@
 
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/text.hpp>
+#include <meniscus/data/threads/threads.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <omp.h>
 #include <optional>
 #include <string>
 
@@ -188,12 +188,13 @@ void lay_out(Grid& grid, const Positions& positions, double radius, const Neighb
 /// the input.
 void sort_particles(Grid& grid, const Positions& positions, const NeighborFilter& filter,
                     int threads) {
-    const auto count = static_cast<std::int64_t>(positions.size());
+    const OpenMpLoop loop = loop_over(threads, 4096);
     std::vector<std::uint64_t> bucket(positions.size());
-#pragma omp parallel for num_threads(threads) schedule(static)
-    for (std::int64_t i = 0; i < count; ++i)
-        if (is_valid(filter, static_cast<std::size_t>(i)))
-            bucket[i] = bucket_of(grid, cell_of(grid, positions[i]));
+    loop(positions.size(), [&](std::size_t begin, std::size_t end, int) {
+        for (std::size_t i = begin; i < end; ++i)
+            if (is_valid(filter, i))
+                bucket[i] = bucket_of(grid, cell_of(grid, positions[i]));
+    });
     for (std::size_t i = 0; i < positions.size(); ++i)
         if (is_valid(filter, i))
             ++grid.bucket_start[bucket[i] + 1];
@@ -207,13 +208,13 @@ void sort_particles(Grid& grid, const Positions& positions, const NeighborFilter
     grid.positions.resize(grid.order.size());
     if (filter.phase != nullptr)
         grid.phase.resize(grid.order.size());
-    const auto sorted_count = static_cast<std::int64_t>(grid.order.size());
-#pragma omp parallel for num_threads(threads) schedule(static)
-    for (std::int64_t s = 0; s < sorted_count; ++s) {
-        grid.positions[s] = positions[grid.order[s]];
-        if (filter.phase != nullptr)
-            grid.phase[s] = (*filter.phase)[grid.order[s]];
-    }
+    loop(grid.order.size(), [&](std::size_t begin, std::size_t end, int) {
+        for (std::size_t s = begin; s < end; ++s) {
+            grid.positions[s] = positions[grid.order[s]];
+            if (filter.phase != nullptr)
+                grid.phase[s] = (*filter.phase)[grid.order[s]];
+        }
+    });
 }
 
 void add_range(const Grid& grid, std::uint64_t first_bucket, std::uint64_t last_bucket,
@@ -286,10 +287,6 @@ std::vector<SortedRange> ranges_within(const Grid& grid, const std::array<double
         if (grid.bucket_start[first] < grid.bucket_start[last + 1])
             ranges.push_back({grid.bucket_start[first], grid.bucket_start[last + 1]});
     return ranges;
-}
-
-int thread_count(int threads) {
-    return threads > 0 ? threads : omp_get_max_threads();
 }
 
 /// The grid that a place belongs to.
@@ -442,10 +439,10 @@ NeighborGrid::NeighborGrid(const Positions& positions, const SupportRadii& radii
     : levels(std::make_unique<Levels>()) {
     check_input(positions, radii, filter);
     if (radii.vary()) {
-        add_levels(*levels, positions, radii, filter, thread_count(threads));
+        add_levels(*levels, positions, radii, filter, threads);
         check_comparisons(*levels);
     } else {
-        add_level(*levels, positions, radii, radii.max, filter, thread_count(threads));
+        add_level(*levels, positions, radii, radii.max, filter, threads);
     }
 }
 
@@ -499,6 +496,37 @@ void visit_listed(const Levels& levels, std::size_t place, std::size_t max_crowd
                     });
 }
 
+/// How many visit_listed() finds.
+std::size_t listed(const Levels& levels, std::size_t place, std::size_t max_crowd) {
+    std::size_t count = 0;
+    visit_listed(levels, place, max_crowd, [&](std::uint32_t) { ++count; });
+    return count;
+}
+
+/// Refuses what most likely comes of a wrong unit, since lists of nearly all pairs outgrow any
+/// memory.
+void check_listed(std::size_t listed, std::size_t particles, std::size_t max,
+                  const SupportRadii& radii) {
+    if (listed > max * particles)
+        throw InputError("a support radius of " + rounded_text(radii.max, 4) + " m gives " +
+                         std::to_string(listed / particles) +
+                         " neighbors a particle on average, expected at most " +
+                         std::to_string(max_listed_neighbors) +
+                         "; is it in m, as the positions are?");
+}
+
+/// The same by a sample, since to count all of them takes long as well. Only what is far beyond
+/// the limit is refused, which no sample hides.
+void check_sample(const Levels& levels, std::size_t max_crowd, const SupportRadii& radii) {
+    constexpr std::size_t sample = 256;
+    const std::size_t step = levels.size / sample + 1;
+    std::size_t found = 0;
+    std::size_t sampled = 0;
+    for (std::size_t place = 0; place < levels.size; place += step, ++sampled)
+        found += listed(levels, place, max_crowd);
+    check_listed(found, sampled, 4 * max_listed_neighbors, radii);
+}
+
 } // namespace
 
 NeighborLists find_neighbors(const Positions& positions, const SupportRadii& radii,
@@ -506,26 +534,26 @@ NeighborLists find_neighbors(const Positions& positions, const SupportRadii& rad
     const NeighborGrid sorted(positions, radii, filter, threads);
     const Levels& levels = *sorted.levels;
     NeighborLists lists;
+    check_sample(levels, filter.max_crowd, radii);
     lists.offsets.assign(positions.size() + 1, 0);
     // Twice the same walk, first to count and then to write: the lists are by far the largest
     // thing in memory, and this way they are there once.
-    const auto count = static_cast<std::int64_t>(levels.size);
-#pragma omp parallel for num_threads(thread_count(threads)) schedule(dynamic, 1024)
-    for (std::int64_t s = 0; s < count; ++s) {
-        std::size_t found = 0;
-        visit_listed(levels, static_cast<std::size_t>(s), filter.max_crowd,
-                     [&](std::uint32_t) { ++found; });
-        lists.offsets[particle_at(levels, s) + 1] = found;
-    }
+    const OpenMpLoop loop = loop_over(threads, 1024);
+    loop(levels.size, [&](std::size_t begin, std::size_t end, int) {
+        for (std::size_t s = begin; s < end; ++s)
+            lists.offsets[particle_at(levels, s) + 1] = listed(levels, s, filter.max_crowd);
+    });
     for (std::size_t i = 0; i < positions.size(); ++i)
         lists.offsets[i + 1] += lists.offsets[i];
+    check_listed(lists.offsets.back(), levels.size, max_listed_neighbors, radii);
     lists.neighbors.resize(lists.offsets.back());
-#pragma omp parallel for num_threads(thread_count(threads)) schedule(dynamic, 1024)
-    for (std::int64_t s = 0; s < count; ++s) {
-        std::size_t place = lists.offsets[particle_at(levels, s)];
-        visit_listed(levels, static_cast<std::size_t>(s), filter.max_crowd,
-                     [&](std::uint32_t neighbor) { lists.neighbors[place++] = neighbor; });
-    }
+    loop(levels.size, [&](std::size_t begin, std::size_t end, int) {
+        for (std::size_t s = begin; s < end; ++s) {
+            std::size_t place = lists.offsets[particle_at(levels, s)];
+            visit_listed(levels, s, filter.max_crowd,
+                         [&](std::uint32_t neighbor) { lists.neighbors[place++] = neighbor; });
+        }
+    });
     return lists;
 }
 

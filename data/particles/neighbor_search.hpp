@@ -33,6 +33,11 @@ struct NeighborLists {
 /// where the covering spheres have 0.8 of it: below 0.2, where runtime and rounding decide.
 inline constexpr double crowd_radius = 0.1998;
 
+/// Lists hold no more neighbors a particle, on average, so that their memory is linear in the
+/// number of particles whatever the radius: nobody simulates with support radii of more than some
+/// eight spacings in space, or 25 in the plane.
+inline constexpr std::size_t max_listed_neighbors = 2000;
+
 /// Of neighbors as near, lists need hold no more than so many.
 inline constexpr std::size_t usual_max_crowd = 100;
 
@@ -66,7 +71,7 @@ struct FoundNeighbors {
 /// threads may ask at a time.
 class NeighborGrid {
 public:
-    /// Throws as find_neighbors does.
+    /// Throws as find_neighbors does, but for the number of neighbors.
     NeighborGrid(const Positions& positions, const SupportRadii& radii,
                  const NeighborFilter& filter = {}, int threads = 0);
     NeighborGrid(NeighborGrid&&) noexcept;
@@ -111,7 +116,7 @@ inline constexpr double max_radius_range = 1000;
 /// against the radius (2^50 radii). Where radii vary, also where there is not one for each
 /// particle, where they differ by more than max_radius_range, or where the large ones reach
 /// over so many particles that a particle would be compared with more than 100,000 others on
-/// average.
+/// average. And where there would be more than max_listed_neighbors a particle on average.
 NeighborLists find_neighbors(const Positions& positions, const SupportRadii& radii,
                              const NeighborFilter& filter = {}, int threads = 0);
 

@@ -3,12 +3,12 @@
 #include "neighbor_search.hpp"
 #include "particle_arrays.hpp"
 
+#include <meniscus/data/threads/threads.hpp>
 #include <meniscus/runtime/math/cubic_spline.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <omp.h>
 
 namespace meniscus {
 namespace {
@@ -22,11 +22,11 @@ double kernel_scale(int dimension) {
 std::vector<double> kernel_sums(const NeighborGrid& grid, const SupportRadii& radii, int dimension,
                                 int threads, bool without_crowds) {
     std::vector<double> sums(grid.size());
-#pragma omp parallel num_threads(threads > 0 ? threads : omp_get_max_threads())
-    {
-        FoundNeighbors found;
-#pragma omp for schedule(static, 256)
-        for (std::size_t place = 0; place < grid.size(); ++place) {
+    const OpenMpLoop loop = loop_over(threads);
+    std::vector<FoundNeighbors> found_by(loop.workers());
+    loop(grid.size(), [&](std::size_t begin, std::size_t end, int worker) {
+        FoundNeighbors& found = found_by[worker];
+        for (std::size_t place = begin; place < end; ++place) {
             grid.find(place, found);
             double sum = cubic_spline(0.0);
             const double own = radii.of(grid.particle(place));
@@ -43,7 +43,7 @@ std::vector<double> kernel_sums(const NeighborGrid& grid, const SupportRadii& ra
                               ? std::numeric_limits<double>::quiet_NaN()
                               : kernel_scale(dimension) * sum;
         }
-    }
+    });
     return sums;
 }
 

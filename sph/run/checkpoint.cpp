@@ -8,6 +8,7 @@
 #include <meniscus/runtime/version.hpp>
 
 #include <algorithm>
+#include <optional>
 
 namespace meniscus {
 namespace {
@@ -98,15 +99,33 @@ void check_content(const Snapshot& snapshot) {
                          std::string(advice));
 }
 
-void check_origin(const Snapshot& snapshot, const std::string& text) {
+/// The duration of the scene before; nothing where the scenes differ otherwise than by a longer
+/// one.
+std::optional<double> shorter_duration(const std::string& before, const std::string& now) {
+    auto was = Json::parse(before, nullptr, false);
+    const auto is = Json::parse(now, nullptr, false);
+    if (!was.is_object() || !is.is_object() || !was.contains("duration") ||
+        !was["duration"].is_number() || !is.contains("duration"))
+        return {};
+    const auto duration = was["duration"].get<double>();
+    was["duration"] = is["duration"];
+    if (was != is || !(duration <= is["duration"].get<double>()))
+        return {};
+    return duration;
+}
+
+/// Returns the duration of the checkpoint's scene.
+double check_origin(const Snapshot& snapshot, const std::string& text) {
     if (provenance_text(snapshot, "program") != program_name())
         throw InputError("was made by " + quoted_text(provenance_text(snapshot, "program")) +
                          ", and this is " + program_name() +
                          ", whose steps may differ; go on with that version" + advice);
     check_content(snapshot);
     const std::string& before = provenance_text(snapshot, "scene_text");
-    if (before != text)
+    const auto duration = shorter_duration(before, text);
+    if (!duration)
         throw InputError("belongs to another scene: " + first_difference(before, text) + advice);
+    return *duration;
 }
 
 void read_number_of(const JsonReader& reader, const char* key, std::uint64_t& value) {
@@ -184,8 +203,8 @@ void write_checkpoint(const Checkpoint& checkpoint, const Scene& scene, const st
 Checkpoint read_checkpoint(const std::filesystem::path& file, const std::string& text) {
     return naming_file(file, [&] {
         const Snapshot snapshot = readable(file);
-        check_origin(snapshot, text);
         Checkpoint checkpoint;
+        checkpoint.duration = check_origin(snapshot, text);
         checkpoint.state = state_of(snapshot);
         const Json numbers =
             parse_json(provenance_text(snapshot, "run"), file.string(), "the state of a run");

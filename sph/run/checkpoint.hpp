@@ -19,7 +19,8 @@ struct Checkpoint {
     std::uint64_t next_frame = 0; ///< the first one that is not written yet
     double usual_step = 0;        ///< the last time step that no frame cut short, s
     StepSums since_frame;
-    std::string log; ///< the log's text so far
+    std::string log;     ///< the log's text so far
+    double duration = 0; ///< once read, of the scene that it was written for, s
 };
 
 /// Writes it for a scene of that text (scene_text()), whole or not at all. Throws as write_whole
@@ -28,7 +29,8 @@ void write_checkpoint(const Checkpoint& checkpoint, const Scene& scene, const st
                       const std::filesystem::path& file);
 
 /// Reads it. Throws InputError, saying what to do, where the file is damaged or no checkpoint, and
-/// where another scene or another version of the program made it.
+/// where another scene or another version of the program made it. A scene that differs by a longer
+/// duration alone is no other one.
 Checkpoint read_checkpoint(const std::filesystem::path& file, const std::string& text);
 
 } // namespace meniscus

@@ -1,17 +1,21 @@
 #include "run.hpp"
 
 #include "checkpoint.hpp"
+#include "run_files.hpp"
 
 #include <meniscus/data/formats/vtkhdf.hpp>
 #include <meniscus/data/json/json_reader.hpp>
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/files.hpp>
+#include <meniscus/data/text/text.hpp>
+#include <meniscus/data/threads/threads.hpp>
 #include <meniscus/runtime/version.hpp>
+#include <meniscus/sph/scene/files_read.hpp>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <omp.h>
+#include <optional>
 #include <vector>
 
 namespace meniscus {
@@ -19,8 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
-
-constexpr const char* extension = ".vtkhdf";
 
 double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
@@ -33,12 +35,16 @@ struct FrameTimes {
     double rounding;    ///< of times: what lies closer is the same
     std::uint64_t last; ///< frame, the one at the duration
 
-    explicit FrameTimes(const Scene& scene)
-        : interval(scene.frame_interval), duration(scene.duration), rounding(1e-9 * interval),
-          last(static_cast<std::uint64_t>(std::ceil(duration / interval - 1e-9))) {}
+    FrameTimes(double its_interval, double its_duration)
+        : interval(its_interval), duration(its_duration), rounding(1e-9 * interval),
+          last(last_frame(duration, interval)) {}
 
     [[nodiscard]] double operator()(std::uint64_t frame) const {
         return std::min(duration, static_cast<double>(frame) * interval);
+    }
+    /// Whether the last frame comes as long after the one before as all others.
+    [[nodiscard]] bool are_even() const {
+        return static_cast<double>(last) * interval <= duration + rounding;
     }
 };
 
@@ -49,51 +55,6 @@ double longest_step(double remaining, double usual, double rounding) {
     const bool one_step_is_enough = remaining <= usual + rounding;
     const bool more_than_two_remain = remaining >= 2 * usual - rounding;
     return one_step_is_enough || more_than_two_remain ? remaining : remaining / 2;
-}
-
-bool is_frame_of(const Scene& scene, const fs::path& file) {
-    const std::string stem = file.stem().string();
-    const std::string start = scene.name + "_";
-    return file.extension() == extension && stem.size() >= start.size() + 4 &&
-           stem.rfind(start, 0) == 0 &&
-           stem.find_first_not_of("0123456789", start.size()) == std::string::npos;
-}
-
-std::vector<fs::path> frames_in(const Scene& scene, const fs::path& folder) {
-    std::error_code error;
-    std::vector<fs::path> frames;
-    for (const auto& entry : fs::directory_iterator(folder, error))
-        if (is_frame_of(scene, entry.path()))
-            frames.push_back(entry.path());
-    if (error)
-        throw InputError(folder.string() + ": cannot be listed: " + error.message());
-    std::sort(frames.begin(), frames.end());
-    return frames;
-}
-
-void remove_file(const fs::path& file) {
-    std::error_code error;
-    fs::remove(file, error);
-    if (error)
-        throw InputError(file.string() + ": cannot be removed: " + error.message());
-}
-
-/// Makes room for a run that starts over. The checkpoint goes first, so that nobody goes on from it
-/// when not all is gone.
-void remove_earlier_run(const Scene& scene, const fs::path& folder) {
-    remove_file(checkpoint_file(scene, folder));
-    remove_file(log_file(scene, folder));
-    for (const fs::path& frame : frames_in(scene, folder))
-        remove_file(frame);
-}
-
-/// A run writes its first checkpoint before its first frame, so these frames are of another one.
-void check_has_no_frames(const Scene& scene, const fs::path& folder) {
-    const auto frames = frames_in(scene, folder);
-    if (!frames.empty())
-        throw InputError(frames[0].string() + ": the folder has frames of scene '" + scene.name +
-                         "' and no checkpoint to go on from; choose another folder, or --restart, "
-                         "which removes them");
 }
 
 struct Stage {
@@ -117,8 +78,9 @@ void add_step(StepProfile& profile, const StepReport& report, double seconds) {
 class Run {
 public:
     Run(const Scene& its_scene, const RunOptions& its_options)
-        : scene(its_scene), options(its_options), text(scene_text(scene)), frame_time(scene) {
-        result.threads = options.threads > 0 ? options.threads : omp_get_max_threads();
+        : scene(its_scene), options(its_options), text(scene_text(scene)),
+          frame_time(scene.frame_interval, scene.duration) {
+        result.threads = thread_count(options.threads);
     }
 
     RunResult run() {
@@ -145,7 +107,8 @@ private:
     const RunOptions& options;
     const std::string text;
     const FrameTimes frame_time;
-    Checkpoint at; ///< its state is filled only while it is written or read
+    std::optional<RunRecord> record; ///< of a run that has begun
+    Checkpoint at;                   ///< its state is filled only while it is written or read
     std::unique_ptr<Simulation> simulation; ///< none where the run had been finished before
     Clock::time_point last_checkpoint;
     RunResult result;
@@ -153,19 +116,58 @@ private:
     [[nodiscard]] bool is_finished() const { return at.next_frame > frame_time.last; }
 
     void begin() {
+        check_inputs();
+        if (fs::exists(record_file(scene, options.folder)))
+            record.emplace(record_file(scene, options.folder));
         const fs::path file = checkpoint_file(scene, options.folder);
-        if (!options.restart && fs::exists(file)) {
+        if (!options.restart && fs::exists(file))
             resume(file);
-            return;
-        }
-        if (!options.restart)
-            check_has_no_frames(scene, options.folder);
+        else
+            start();
+    }
+
+    void check_inputs() const {
+        std::vector<fs::path> inputs = files_read_by(scene);
+        inputs.insert(inputs.end(), options.inputs.begin(), options.inputs.end());
+        check_inputs_stay(inputs, scene, options.folder);
+    }
+
+    void start() {
+        check_nothing_is_in_the_way(scene, options.folder, record ? &*record : nullptr);
+        if (record && !options.restart)
+            check_has_no_frames(scene, options.folder, *record);
         simulation = simulate(scene, filled(), result.threads);
         result.parted = simulation->parted();
-        if (options.restart)
-            remove_earlier_run(scene, options.folder);
+        options.before_writing();
+        open_record();
+        remove_recorded(scene, options.folder, *record);
         at.log = log_header();
-        save();
+        try {
+            list_lasting_files();
+            save();
+        } catch (...) {
+            record->clear();
+            throw;
+        }
+    }
+
+    /// Not before there is something to write, so that a scene that cannot be filled leaves
+    /// nothing.
+    void open_record() {
+        if (record)
+            return;
+        record.emplace(record_file(scene, options.folder));
+        if (!record->files().empty())
+            throw FailureError(options.folder.string() + ": another run of scene '" + scene.name +
+                               "' has begun in the folder; wait for it to end, or choose another "
+                               "folder with -o");
+    }
+
+    void list_lasting_files() {
+        for (const fs::path& file :
+             {checkpoint_file(scene, options.folder), log_file(scene, options.folder)})
+            if (record->find(file.filename().string()) == nullptr)
+                record->set({file.filename().string(), 0, unsettled});
     }
 
     void resume(const fs::path& file) {
@@ -173,10 +175,55 @@ private:
         result.start = at.state.time;
         result.particles = at.state.positions.size();
         result.finished = is_finished();
+        check_lengthening(file);
+        if (!record)
+            record.emplace(record_file(scene, options.folder));
+        const auto damaged =
+            damaged_files(scene, options.folder, *record, at.next_frame, at.log, result.finished);
+        if (!damaged.empty() && !options.accept_loss)
+            refuse(damaged);
         if (!result.finished)
             simulation = resumed(filled(), file);
         at.state = {};
         last_checkpoint = Clock::now();
+        options.before_writing();
+        do_without(damaged);
+        list_lasting_files();
+        check_nothing_is_in_the_way(scene, options.folder, &*record);
+        if (simulation && at.duration < scene.duration)
+            save(); // of the longer run from now on
+    }
+
+    void do_without(const std::vector<DamagedFile>& damaged) {
+        const fs::path log = log_file(scene, options.folder);
+        for (const DamagedFile& one : damaged)
+            if (one.file != log)
+                record->set({one.file.filename().string(), 0, lost});
+        if (!damaged.empty())
+            write_whole(log, at.log);
+    }
+
+    /// A longer run has frames at whole intervals where the shorter one ended with part of one.
+    void check_lengthening(const fs::path& file) const {
+        const FrameTimes before(scene.frame_interval, at.duration);
+        if (frame_time.duration > before.duration && at.next_frame > before.last &&
+            !before.are_even())
+            throw InputError(file.string() + ": the run ended at " + number_text(at.duration) +
+                             " s, within a frame_interval of " + number_text(scene.frame_interval) +
+                             " s, so that a longer one has other frames; --restart starts the "
+                             "scene over, another folder keeps both");
+    }
+
+    [[noreturn]] static void refuse(const std::vector<DamagedFile>& damaged) {
+        constexpr std::size_t named = 3;
+        std::string others;
+        for (std::size_t i = 1; i < std::min(damaged.size(), named); ++i)
+            others += ", " + damaged[i].file.filename().string() + " " + damaged[i].damage;
+        if (damaged.size() > named)
+            others += ", and so on for " + std::to_string(damaged.size() - named) + " more";
+        throw InputError(damaged[0].file.string() + ": " + damaged[0].damage + others +
+                         "; bring back what the run wrote, or go on without it by --accept-loss, "
+                         "or start the scene over by --restart");
     }
 
     std::unique_ptr<Simulation> resumed(const SceneParticles& particles, const fs::path& file) {
@@ -208,7 +255,11 @@ private:
         frame.time = time;
         frame.provenance["program"] = std::string("meniscus ") + program_version;
         frame.provenance["scene_text"] = text;
-        write_vtkhdf(frame, frame_file(scene, options.folder, at.next_frame));
+        const fs::path file = frame_file(scene, options.folder, at.next_frame);
+        const std::string name = file.filename().string();
+        record->set({name, 0, unsettled});
+        write_vtkhdf(frame, file);
+        record->set({name, fs::file_size(file), file_hash(file)});
         at.log += log_row(at.next_frame, time, at.since_frame, simulation->balance());
         write_whole(log_file(scene, options.folder), at.log);
         at.since_frame = {};
@@ -238,20 +289,6 @@ private:
 };
 
 } // namespace
-
-fs::path frame_file(const Scene& scene, const fs::path& folder, std::uint64_t frame) {
-    std::string number = std::to_string(frame);
-    number.insert(0, number.size() < 4 ? 4 - number.size() : 0, '0');
-    return folder / (scene.name + "_" + number + extension);
-}
-
-fs::path log_file(const Scene& scene, const fs::path& folder) {
-    return folder / (scene.name + "_log.csv");
-}
-
-fs::path checkpoint_file(const Scene& scene, const fs::path& folder) {
-    return folder / (scene.name + "_checkpoint" + extension);
-}
 
 RunResult run_scene(const Scene& scene, const RunOptions& options) {
     return Run(scene, options).run();

@@ -1,8 +1,10 @@
 // A run: a scene from its first state to its duration, with its frames, its log and its checkpoints
 // in a folder. A run that was killed goes on from its last checkpoint, and all files are then byte
-// for byte those of a run that was not.
+// for byte those of a run that was not. Before it does, frames and log are held against the record
+// of the run (run_record.hpp). One run at a time works under a scene's name in a folder.
 #pragma once
 
+#include "run_files.hpp"
 #include "run_log.hpp"
 #include <meniscus/sph/step/simulation.hpp>
 
@@ -18,6 +20,13 @@ struct RunOptions {
     int threads = 0;                 ///< 0: all cores
     double checkpoint_interval = 60; ///< s of the clock on the wall
     bool restart = false; ///< removes what an earlier run of the scene left in the folder
+    /// Goes on although frames or the log of the run are missing or damaged; the log is written
+    /// anew.
+    bool accept_loss = false;
+    /// Files that must stay besides those that the scene reads, such as its own.
+    std::vector<std::filesystem::path> inputs = {};
+    /// Called once all is read and filled, before anything is written.
+    std::function<void()> before_writing = [] {};
     std::function<void(const StepReport&)> on_step = [](const StepReport&) {};
     /// Asked after each step; where true, the run ends with a checkpoint.
     std::function<bool()> stop = [] { return false; };
@@ -43,16 +52,13 @@ struct RunResult {
     StepProfile profile;
 };
 
-/// The files of a run; frames are numbered from 0 with four digits or more.
-std::filesystem::path frame_file(const Scene& scene, const std::filesystem::path& folder,
-                                 std::uint64_t frame);
-std::filesystem::path log_file(const Scene& scene, const std::filesystem::path& folder);
-std::filesystem::path checkpoint_file(const Scene& scene, const std::filesystem::path& folder);
-
 /// Runs the scene from the checkpoint in the folder or, where there is none, from its first state.
-/// Frames are at 0, one interval, two..., and at the duration. Throws InputError where the folder
-/// holds a checkpoint that does not fit, or frames of the scene and no checkpoint; Divergence, with
-/// the name of the last frame; and what fill_scene, simulate and write_whole throw.
+/// Frames are at 0, one interval, two..., and at the duration, which may be longer than that of the
+/// checkpoint. Throws InputError where the folder holds a checkpoint that does not fit, frames of
+/// the scene and no checkpoint, files that are damaged or missing, or files in the way that no
+/// record lists, and where the run would write over what the scene reads; FailureError where
+/// another run of that name is at work; Divergence, with the name of the last frame; and what
+/// fill_scene, simulate and write_whole throw.
 RunResult run_scene(const Scene& scene, const RunOptions& options);
 
 /// The profile as JSON, times as means over the steps in ms.

@@ -194,7 +194,7 @@ struct SceneParticles {
 /// Fills the scene's shapes. Throws InputError where a file cannot be read, where a snapshot's
 /// particles differ in mass or phase or lie so far out that its numbers do not hold their spacing,
 /// where there is no fluid at all, where bodies overlap or fluid lies in a wall (naming particle
-/// and both), or where there would be more than 5e8 particles.
+/// and both), or where there would be more than 5e8 particles; FailureError where memory is short.
 SceneParticles fill_scene(const Scene& scene);
 
 /// Throws InputError, naming the particle by `what` and `number`, for a place so far from the

@@ -1,4 +1,6 @@
-#include "scene.hpp"
+#include "scene_size.hpp"
+
+#include "detail/scene_limits.hpp"
 
 #include <meniscus/data/formats/snapshot_files.hpp>
 #include <meniscus/data/particles/boundary_sampling.hpp>
@@ -12,12 +14,10 @@
 namespace meniscus {
 namespace {
 
-constexpr double max_particles = 5e8;
 constexpr double min_distance = 0.1; // of two fluid particles, over the spacing
-// Between irregular samples of a wall are holes of up to their spacing, through which a fluid would
-// be pressed if that were the particles'.
-constexpr double irregular_share = 0.7;
-constexpr double rounding = 1e-6; // of lengths that should be whole spacings
+constexpr double rounding = 1e-6;    // of lengths that should be whole spacings
+const NeighborFilter crowds_cut = {nullptr, nullptr,
+                                   usual_max_crowd}; // one neighbor shows an overlap
 
 /// The places first + spacing (i, j, k) below `count` that `holds` is true for.
 template <class Holds>
@@ -200,7 +200,7 @@ void check_distances(const Scene& scene, const SceneParticles& particles,
     constexpr double among = 0.9;   // one anywhere in the other's lattice has several so near
     const Positions& places = particles.positions;
     const double spacing = scene.particle_spacing;
-    const NeighborLists lists = find_neighbors(places, among * spacing);
+    const NeighborLists lists = find_neighbors(places, among * spacing, crowds_cut);
     for (std::size_t i = 0; i < places.size(); ++i) {
         int others = 0;
         for (std::size_t n = lists.offsets[i]; n < lists.offsets[i + 1]; ++n) {
@@ -225,7 +225,7 @@ void check_wall_distances(const Scene& scene, const SceneParticles& particles,
     Positions places = particles.positions;
     const std::size_t fluid = places.size();
     places.insert(places.end(), particles.walls.begin(), particles.walls.end());
-    const NeighborLists lists = find_neighbors(places, inside * scene.particle_spacing);
+    const NeighborLists lists = find_neighbors(places, inside * scene.particle_spacing, crowds_cut);
     for (std::size_t i = 0; i < fluid; ++i)
         for (std::size_t n = lists.offsets[i]; n < lists.offsets[i + 1]; ++n) {
             const std::size_t j = lists.neighbors[n];
@@ -330,6 +330,7 @@ void check_resolution(const Place& place, const Scene& scene, const char* what,
 }
 
 SceneParticles fill_scene(const Scene& scene) {
+    check_size(scene);
     SceneParticles particles;
     const std::vector<std::size_t> fluid_starts = add_fluid(scene, particles);
     std::vector<std::size_t> wall_starts;

@@ -2,8 +2,11 @@
 
 #include "step.hpp"
 
+#include <meniscus/data/particles/neighbor_search.hpp>
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/text.hpp>
+#include <meniscus/data/threads/threads.hpp>
+#include <meniscus/runtime/math/angles.hpp>
 #include <meniscus/runtime/surface/shipped_classifier.hpp>
 #include <meniscus/sph/scene/methods.hpp>
 
@@ -120,6 +123,19 @@ void check_classifier(const Scene& scene) {
     }
 }
 
+/// Refuses a support radius that reaches over more particles than lists are to hold; few particles
+/// never have so many neighbors.
+void check_neighbor_count(const Scene& scene, const SceneParticles& particles) {
+    const double h = spacing_ratio(scene);
+    const double in_ball = scene.dimension == 2 ? pi * h * h : 4 * pi / 3 * h * h * h;
+    const auto most = static_cast<double>(max_listed_neighbors);
+    if (std::min(in_ball, static_cast<double>(particles.positions.size())) > most)
+        throw InputError("a support radius of " + rounded_text(scene.support_radius, 4) +
+                         " m gives " + rounded_text(in_ball, 3) +
+                         " neighbors a particle, expected at most " + rounded_text(most, 4) +
+                         "; make support_radius smaller");
+}
+
 /// What read_scene() refuses in a file, for scenes that a program made: numbers that would spoil
 /// the whole fluid.
 void check_numbers(const Scene& scene, const SceneParticles& particles) {
@@ -130,6 +146,7 @@ void check_numbers(const Scene& scene, const SceneParticles& particles) {
            "support radius must be a number of metres from 1e-30 to 1e30", scene.support_radius);
     const double ratio = scene.support_radius / scene.particle_spacing;
     expect(ratio >= 1 && ratio <= 100, "support radius must be 1 to 100 spacings", ratio);
+    check_neighbor_count(scene, particles);
     expect_positive(scene.rest_density, "rest density");
     expect_positive(particles.mass, "mass of a particle");
     for (const double acceleration : scene.gravity)
@@ -365,7 +382,7 @@ std::unique_ptr<Simulation> simulate(const Scene& scene, const SceneParticles& p
 
 std::unique_ptr<Simulation> simulate(const Scene& scene, const SceneParticles& particles,
                                      const SimulationState& state, int threads) {
-    return std::make_unique<RunningSimulation>(scene, particles, state, threads);
+    return std::make_unique<RunningSimulation>(scene, particles, state, thread_count(threads));
 }
 
 std::unique_ptr<Step> make_step(const Scene& scene, const SceneParticles& particles, int threads,

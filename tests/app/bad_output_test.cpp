@@ -101,6 +101,24 @@ TEST_F(BadOutput, OverItsOwnInput) {
     EXPECT_TRUE(bytes_of(input) == bytes);
 }
 
+TEST_F(BadOutput, OverWhatElseItReads) {
+    const Path model_named_so = folder / "out" / "block.vtkhdf";
+    std::filesystem::create_directory(folder / "out");
+    std::filesystem::copy(model, model_named_so);
+    fail(2, {"classify", input, "--model", model_named_so, "-o", folder / "out"}, {"overwrite"});
+    std::filesystem::remove(model_named_so);
+    const Path walls = save(block(3), "out/block.vtkhdf");
+    for (const Path& name : {walls, folder / "labelled" / ".." / "out" / "block.vtkhdf"}) {
+        fail(2, {"label", input, "-o", folder / "out", "--boundary", name}, {"overwrite"});
+        fail(2, {"classify", input, "--model", model, "-o", folder / "out", "--boundary", name},
+             {"overwrite"});
+    }
+    EXPECT_EQ(read_vtkhdf(walls).size(), 27U);
+    fail(2, {"train", labelled, "-o", model, "--keep-k", model}, {"model.json", "overwrite"});
+    fail(2, {"export", model, "-o", folder / "out" / ".." / "model.json"}, {"overwrite"});
+    EXPECT_NO_THROW(read_model(model));
+}
+
 TEST_F(BadOutput, FileTooLarge) {
     const Words limited = {"sh", "-c", "ulimit -f 4 && exec \"$@\"", "sh"};
     for (const std::size_t verb : {0U, 1U})

@@ -119,6 +119,19 @@ TEST_F(Classify, RefusesAModelOfAnotherDimension) {
          {"model.json", "flat.vtkhdf", "3D", "2D"});
 }
 
+TEST_F(Classify, RefusesASupportRadiusOverNearlyAllParticles) {
+    const Path input = save(block(16), "block.vtkhdf"); // 8 wide
+    fail(2, {"classify", input, "--model", model, "-o", out, "--support-radius", "20"},
+         {"block.vtkhdf", "support radius of 20 m", "neighbors a particle", "at most 2000"});
+    Snapshot beside_walls = block(3);
+    for (const auto& place : block(16).positions)
+        beside_walls.boundary.push_back({place[0] - 9, place[1], place[2]});
+    fail(2,
+         {"classify", save(beside_walls, "walls.vtkhdf"), "--model", model, "-o", out,
+          "--support-radius", "30"},
+         {"walls.vtkhdf", "support radius of 30 m", "boundary particles"});
+}
+
 TEST_F(Classify, OverwritesNoLabels) {
     const Path input = sample("droplet_iisph_04");
     const Path labelled = label(input);

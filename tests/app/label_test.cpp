@@ -117,6 +117,22 @@ TEST_F(Label, ChangedInputIsLabelledAgain) {
     EXPECT_EQ(read_vtkhdf(output).positions, moved.positions);
 }
 
+TEST_F(Label, OverwritesNoLabelsOfAnotherInput) {
+    const Path first = save(block(5), "block.vtkhdf");
+    const Path out = folder / "out";
+    succeed({"label", first, "-o", out});
+    std::filesystem::create_directory(folder / "other");
+    const Path second = save(block(4), "other/block.vtkhdf");
+    fail(2, {"label", second, "-o", out}, {"out/block.vtkhdf", "another input", "--overwrite"});
+    EXPECT_EQ(read_vtkhdf(out / "block.vtkhdf").size(), 125U);
+    succeed({"label", second, "-o", out, "--overwrite"});
+    EXPECT_EQ(read_vtkhdf(out / "block.vtkhdf").size(), 64U);
+    // A copy is no other input, whatever it is called.
+    std::filesystem::copy(second, folder / "block.vtkhdf",
+                          std::filesystem::copy_options::overwrite_existing);
+    expect_mentions(succeed({"label", first, "-o", out}), {"up to date"});
+}
+
 TEST_F(Label, OverwritesNothingThatItDidNotWrite) {
     const Path input = save(block(5), "block.vtkhdf");
     const Words words = {"label", input, "-o", folder / "out"};

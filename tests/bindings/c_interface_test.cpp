@@ -6,10 +6,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <functional>
 #include <limits>
 #include <memory>
+#include <sys/resource.h>
 
 namespace meniscus {
 namespace {
@@ -555,6 +558,27 @@ TEST(CInterfaceErrors, OtherArguments) {
 }
 
 /// More than there can be, which no machine grants.
+TEST(CInterfaceErrors, ThreadsThatCannotBeStarted) {
+#if defined(__SANITIZE_ADDRESS__)
+    GTEST_SKIP() << "the address sanitizer itself needs more than the limit";
+#endif
+    const auto limited = [] { // in a process of its own
+        rlimit limit{};
+        getrlimit(RLIMIT_AS, &limit);
+        limit.rlim_cur = 2'000'000'000; // far less than the stacks of all
+        setrlimit(RLIMIT_AS, &limit);
+        auto options = host_options<3>();
+        options.threads = 1024;
+        meniscus_surface* surface = nullptr;
+        const int status = meniscus_create(&surface, &options, 3, MENISCUS_FLOAT);
+        std::fputs(meniscus_last_error(), stderr);
+        std::exit(status);
+    };
+    testing::GTEST_FLAG(death_test_style) = "threadsafe";
+    EXPECT_EXIT(limited(), testing::ExitedWithCode(MENISCUS_FAILURE),
+                "1024 threads cannot be started: .*; take fewer");
+}
+
 TEST(CInterfaceErrors, TooMuchMemory) {
     const auto surface = create(host_options<3>(), 3, MENISCUS_DOUBLE);
     EXPECT_EQ(meniscus_reserve(surface.get(), std::size_t{1} << 62, 1), MENISCUS_OUT_OF_MEMORY);

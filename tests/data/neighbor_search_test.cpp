@@ -271,5 +271,17 @@ TEST(NeighborSearch, RefusesRadiiThatReachOverEverything) {
     EXPECT_NO_THROW(NeighborGrid(positions, SupportRadii(radii)));
 }
 
+TEST(NeighborSearch, RefusesListsOfNearlyAllPairs) {
+    const Positions some = random_positions(2 * max_listed_neighbors, 1, 3, 5);
+    expect_mentions(error_of<InputError>([&] { find_neighbors(some, 10); }),
+                    {"support radius of 10 m", "3999 neighbors a particle", "at most 2000"});
+    const Positions many = random_positions(40000, 1, 3, 6); // told by a sample
+    expect_mentions(error_of<InputError>([&] { find_neighbors(many, 10); }),
+                    {"39999 neighbors a particle"});
+    // A crowd in one place has few in its lists, and few particles have few neighbors.
+    EXPECT_EQ(find_neighbors(some, 10, {nullptr, nullptr, 7}).neighbors.size(), 7 * some.size());
+    EXPECT_EQ(find_neighbors(random_positions(1000, 1, 3, 7), 10).neighbors.size(), 999000U);
+}
+
 } // namespace
 } // namespace meniscus

@@ -53,6 +53,20 @@ protected:
     }
 };
 
+TEST_F(Checkpoints, AreThoseOfALongerSceneToo) {
+    const auto file = written(some_checkpoint());
+    Scene longer = scene();
+    longer.duration *= 2;
+    EXPECT_EQ(read_checkpoint(file, scene_text(longer)).duration, scene().duration);
+    Scene shorter = scene();
+    shorter.duration /= 2;
+    expect_mentions(error_of<InputError>([&] { read_checkpoint(file, scene_text(shorter)); }),
+                    {"c.vtkhdf", "another scene", "/duration"});
+    longer.rest_density *= 2;
+    expect_mentions(error_of<InputError>([&] { read_checkpoint(file, scene_text(longer)); }),
+                    {"another scene"});
+}
+
 TEST_F(Checkpoints, ComeBack) {
     const Checkpoint checkpoint = some_checkpoint();
     EXPECT_TRUE(same(read(written(checkpoint)), checkpoint));
