@@ -48,11 +48,11 @@ void check_limits(const AuditCommand& command, const AuditReport& report) {
 void check_what_is_judged(const AuditCommand& command) {
     const int judged =
         int(!command.model.empty()) + int(!command.detector.empty()) + int(!command.flag.empty());
-    if (judged != 1)
-        throw InputError(fmt::format("{} of --model, --detector and --flag are given; give one: a "
-                                     "model file, a detector of another code, or the name of an "
-                                     "array of flags",
-                                     judged));
+    if (judged == 0)
+        throw InputError("one of --model, --detector and --flag is required: a model file, a "
+                         "detector of another code, or the name of an array of flags");
+    if (judged > 1)
+        throw InputError("--model, --detector and --flag stand in each other's place; give one");
     if (command.detector_threshold && command.detector.empty())
         throw InputError("--detector-threshold is for --detector; for flags there is --flag-min");
     if (command.flag_min && command.flag.empty())
