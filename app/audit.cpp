@@ -1,4 +1,5 @@
-// meniscus audit: false negatives and false positives of a model, scene by scene.
+// meniscus audit: false negatives and false positives of a model, of another code's free-surface
+// detector or of its flags, scene by scene.
 #include "command_line.hpp"
 
 #include <meniscus/classifier/audit/audit.hpp>
@@ -6,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <fmt/format.h>
 #include <memory>
 #include <optional>
@@ -16,6 +18,11 @@ namespace {
 struct AuditCommand {
     std::vector<Path> inputs;
     Path model;
+    std::string detector;
+    std::optional<double> detector_threshold;
+    std::string flag;
+    std::optional<std::int64_t> flag_min;
+    std::optional<double> label_threshold;
     AuditOptions audit;
     std::string format = "table";
     std::optional<std::size_t> max_false_negatives;
@@ -37,11 +44,46 @@ void check_limits(const AuditCommand& command, const AuditReport& report) {
                 row.scene, false_positive_rate(row), *command.max_false_positive_rate));
 }
 
+/// One thing is judged, and options of another say nothing of it.
+void check_what_is_judged(const AuditCommand& command) {
+    const int judged =
+        int(!command.model.empty()) + int(!command.detector.empty()) + int(!command.flag.empty());
+    if (judged == 0)
+        throw InputError("one of --model, --detector and --flag is required: a model file, a "
+                         "detector of another code, or the name of an array of flags");
+    if (judged > 1)
+        throw InputError("--model, --detector and --flag stand in each other's place; give one");
+    if (command.detector_threshold && command.detector.empty())
+        throw InputError("--detector-threshold is for --detector; for flags there is --flag-min");
+    if (command.flag_min && command.flag.empty())
+        throw InputError("--flag-min is for --flag; for detectors there is --detector-threshold");
+}
+
+AuditReport make_report(const AuditCommand& command) {
+    AuditOptions options = command.audit;
+    options.label_threshold =
+        command.label_threshold.value_or(command.model.empty() ? detector_label_threshold : 0);
+    if (!command.detector.empty())
+        return audit_detector(command.detector, command.detector_threshold, command.inputs,
+                              options);
+    if (!command.flag.empty())
+        return audit_flag({command.flag, command.flag_min.value_or(AuditedFlag{}.min)},
+                          command.inputs, options);
+    return audit(read_model(command.model), command.inputs, options);
+}
+
+std::string detector_names() {
+    std::string names;
+    for (const DetectorKind& kind : detector_kinds())
+        names += (names.empty() ? "" : ", ") + kind.name;
+    return names;
+}
+
 void run_audit(const AuditCommand& command) {
+    check_what_is_judged(command);
     if (std::isnan(command.max_false_positive_rate.value_or(0)))
         throw InputError("--max-false-positive-rate must be a number from 0 to 1, found nan");
-    const Model model = read_model(command.model);
-    const AuditReport report = audit(model, command.inputs, command.audit);
+    const AuditReport report = make_report(command);
     for (const std::string& warning : report.warnings)
         print_error_line("warning: " + warning);
     const auto print = command.format == "json"  ? to_json
@@ -56,14 +98,22 @@ void run_audit(const AuditCommand& command) {
 
 void add_audit(CLI::App& command) {
     auto options = std::make_shared<AuditCommand>();
-    auto* verb =
-        command.add_subcommand("audit", "Count a model's false negatives and false positives");
+    auto* verb = command.add_subcommand("audit", "Count false negatives and false positives");
     verb->add_option("LABELLED", options->inputs, "Snapshots that `meniscus label` has written")
         ->required();
-    verb->add_option("--model", options->model, "Model file")->required();
-    verb->add_option("--label-threshold", options->audit.label_threshold,
-                     "Surface means an uncovered fraction above this")
-        ->capture_default_str();
+    verb->add_option("--model", options->model, "Model file");
+    verb->add_option("--detector", options->detector,
+                     "In place of a model, the free-surface detector of another code: " +
+                         detector_names());
+    verb->add_option("--detector-threshold", options->detector_threshold,
+                     "Its threshold, in the code's own quantity; default: its authors'");
+    verb->add_option("--flag", options->flag,
+                     "In place of a model, an array of flags that the snapshots have");
+    verb->add_option("--flag-min", options->flag_min,
+                     "A flag of at least this is surface (default 1; 2 for DualSPHysics' FSType)");
+    verb->add_option("--label-threshold", options->label_threshold,
+                     "Surface means an uncovered fraction above this; default: 0 for a model, "
+                     "0.02 for a detector or flags");
     verb->add_option("--scene", options->audit.scene,
                      "Scene of all snapshots, in place of their own");
     verb->add_option("--format", options->format, "table, json or csv")

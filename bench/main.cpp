@@ -7,6 +7,7 @@ int main(int argument_count, char** arguments) {
                         {{"Methods of this project beside those of others", compared_tables()},
                          accuracy_tables(),
                          training_time_tables(),
+                         detector_threshold_tables(),
                          sampling_tables(),
                          label_speed_tables(),
                          label_scaling_tables(),

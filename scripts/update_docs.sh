@@ -5,7 +5,7 @@
 # sampling and normals Debian's python3-matplotlib, accuracy python3-h5py, too.
 # Usage: scripts/update_docs.sh [TABLES]   (default: all)
 # TABLES: accuracy, own-scenes (runs scenes for some ten minutes), speed, sampling, force,
-# surface-speed, normals, curvature, scenes, simulation, contact-angles, step-speed, hard-cases, hard-cases-solvers or
+# detectors, surface-speed, normals, curvature, scenes, simulation, contact-angles, step-speed, hard-cases, hard-cases-solvers or
 # speed-against-error (runs scenes, too)
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -35,7 +35,7 @@ print() {
 }
 
 samples=data/samples
-if wanted accuracy || wanted own-scenes || wanted speed; then
+if wanted accuracy || wanted own-scenes || wanted speed || wanted detectors; then
     "$bin/meniscus" label $samples/*.vtkhdf -o "$work/samples" --features direction_eigenvalue --quiet
 fi
 if wanted accuracy; then
@@ -44,6 +44,9 @@ if wanted accuracy; then
     done
     scripts/plot_feature_planes.py configs/models/surface_3d.json docs/plots \
         "$work"/samples/dam_dfsph_{01,04,14}.vtkhdf
+fi
+if wanted detectors; then
+    print detector-thresholds detectors "" "$work"/samples/*.vtkhdf
 fi
 if wanted own-scenes; then
     for kind in training_3d audit_{,wide_,widest_}{3d,2d}; do

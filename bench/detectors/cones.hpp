@@ -5,6 +5,8 @@
 
 #include "renormalization.hpp"
 
+#include <meniscus/classifier/detectors/cones.hpp>
+
 namespace meniscus {
 
 /// Whether a neighbor of particle i lies in the cone around `outward`: where cone(step, normal),
@@ -27,25 +29,6 @@ bool is_covered(const FluidState<Real>& state, std::size_t i,
     }
     return false;
 }
-
-/// Marrone et al. 2010: a cone of 45 degrees to each side that ends in a ball.
-template <class Real>
-struct Umbrella {
-    Real length; ///< smoothing length in m
-
-    template <int Dimension>
-    bool operator()(const Vector<Real, Dimension>& step,
-                    const Vector<Real, Dimension>& normal) const {
-        const Real squared = step.squaredNorm();
-        const Real height = step.dot(normal);
-        if (height <= 0)
-            return false;
-        // In the cone, or beyond it in the ball around the point one length in front:
-        // |step - length normal| < length.
-        return squared < 2 * length * length ? 2 * height * height > squared
-                                             : squared < 2 * length * height;
-    }
-};
 
 /// The state's umbrella. A smoothing length is half the support radius, as for the kernels that
 /// solvers use most (cubic spline, Wendland); it then reaches exactly as far as the neighbor lists.

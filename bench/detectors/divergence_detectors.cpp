@@ -89,22 +89,6 @@ Detection detect_two_layers(const FluidState<Real>& state, int threads, double t
     };
 }
 
-/// DualSPHysics' umbrella in the plane. Up to sqrt(2) lengths Marrone et al. have the distances
-/// along the normal and across it, where the program multiplies axis by axis. For a normal along an
-/// axis it is the same cone; for one between them, a disc.
-template <class Real>
-struct AxiswiseUmbrella {
-    Real length; ///< smoothing length in m
-
-    bool operator()(const Vector<Real, 2>& step, const Vector<Real, 2>& normal) const {
-        const Vector<Real, 2> off = step - length * normal;
-        if (step.squaredNorm() > 2 * length * length)
-            return off.squaredNorm() < length * length;
-        const Vector<Real, 2> across(normal[1], normal[0]);
-        return off.cwiseProduct(normal).norm() + off.cwiseProduct(across).norm() < length;
-    }
-};
-
 /// Whether particle i has less than 0.4 of the neighbors of a full support.
 template <class Real, int Dimension>
 bool has_few_neighbors(const FluidState<Real>& state, std::size_t i) {

@@ -7,6 +7,7 @@
 
 #include "neighbor_packs.hpp"
 
+#include <meniscus/classifier/detectors/cones.hpp>
 #include <meniscus/runtime/math/cubic_spline.hpp>
 
 #include <Eigen/Eigenvalues>
@@ -53,8 +54,6 @@ struct GradientSums {
 
 template <class Real, int Dimension>
 using SquareMatrix = Eigen::Matrix<Real, Dimension, Dimension>;
-template <class Real, int Dimension>
-using Vector = Eigen::Matrix<Real, Dimension, 1>;
 
 /// M, and a gradient by the same loop; both zero for a particle that has no neighbor.
 template <class Real, int Dimension>

@@ -48,6 +48,7 @@ int print_tables(int argument_count, char** arguments, const std::vector<TableGr
 // What each file adds.
 TableGroup accuracy_tables();
 TableGroup training_time_tables();
+TableGroup detector_threshold_tables();
 TableGroup sampling_tables();
 TableGroup label_speed_tables();
 TableGroup label_scaling_tables();

@@ -1,13 +1,9 @@
 #include "audit.hpp"
 
-#include "confidence.hpp"
+#include "detail/audit_files.hpp"
 #include <meniscus/classifier/model/classify_snapshot.hpp>
 
-#include <meniscus/data/formats/snapshot_files.hpp>
-#include <meniscus/data/particles/nearest_spacing.hpp>
 #include <meniscus/data/particles/particle_arrays.hpp>
-#include <meniscus/data/text/errors.hpp>
-#include <meniscus/data/text/files.hpp>
 #include <meniscus/data/text/text.hpp>
 
 #include <algorithm>
@@ -16,61 +12,13 @@
 namespace meniscus {
 namespace {
 
-constexpr double confidence = 0.95;
-
-std::vector<std::uint8_t> valid_particles(const Snapshot& snapshot, const std::string& file) {
-    const auto values = naming_file(file, [&] { return scalar_values(snapshot, "valid"); });
-    std::vector<std::uint8_t> valid(values.size());
-    for (std::size_t i = 0; i < values.size(); ++i)
-        valid[i] = static_cast<std::uint8_t>(values[i] != 0);
-    return valid;
-}
-
 bool was_trained_on(const Model& model, const std::string& hash) {
     return !hash.empty() &&
            std::any_of(model.training_files.begin(), model.training_files.end(),
                        [&](const TrainingFile& file) { return file.hash == hash; });
 }
 
-AuditRow& row_of_scene(const std::string& scene, std::vector<AuditRow>& rows) {
-    const auto found = std::find_if(rows.begin(), rows.end(),
-                                    [&](const AuditRow& row) { return row.scene == scene; });
-    if (found != rows.end())
-        return *found;
-    rows.emplace_back();
-    rows.back().scene = scene;
-    return rows.back();
-}
-
 } // namespace
-
-void add_row(const AuditRow& row, AuditRow& sum) {
-    sum.add(row);
-    sum.files.insert(sum.files.end(), row.files.begin(), row.files.end());
-    sum.files_trained_on += row.files_trained_on;
-    sum.false_negatives_float += row.false_negatives_float;
-    sum.false_positives_float += row.false_positives_float;
-    sum.features_differ += row.features_differ;
-    sum.unseen_rates.insert(sum.unseen_rates.end(), row.unseen_rates.begin(),
-                            row.unseen_rates.end());
-}
-
-std::optional<double> false_negative_rate_upper_95(const AuditRow& row) {
-    if (row.unseen_rates.empty())
-        return {};
-    return upper_bound_of_mean_rate(row.unseen_rates, confidence);
-}
-
-std::optional<double> snapshot_with_misses_upper_95(const AuditRow& row) {
-    if (row.unseen_rates.empty())
-        return {};
-    return upper_bound_of_probability(unseen_with_misses(row), row.unseen_rates.size(), confidence);
-}
-
-std::size_t unseen_with_misses(const AuditRow& row) {
-    return static_cast<std::size_t>(std::count_if(row.unseen_rates.begin(), row.unseen_rates.end(),
-                                                  [](double rate) { return rate > 0; }));
-}
 
 AuditRow audit_state(const Model& model, const Snapshot& snapshot, const LabelledState& state,
                      double label_threshold, int threads) {
@@ -112,35 +60,13 @@ AuditRow audit_state(const Model& model, const Snapshot& snapshot, const Labelle
 
 AuditReport audit(const Model& model, const std::vector<std::filesystem::path>& files,
                   const AuditOptions& options) {
-    if (files.empty())
-        throw InputError("no labelled file to audit; give at least one");
-    AuditReport report;
-    report.model = model;
-    report.label_threshold = options.label_threshold;
-    check_label_threshold(report.label_threshold);
-    report.total.scene = "all";
     std::vector<ModelUse> uses;
-    for (const auto& file : files) {
-        const Snapshot snapshot = read_snapshot(file);
-        LabelledState state = labelled_state(snapshot, file);
-        state.hash = file_hash(file);
-        if (!options.scene.empty())
-            state.scene = options.scene;
-        const AuditRow row =
-            audit_state(model, snapshot, state, report.label_threshold, options.threads);
-        add_row(row, row_of_scene(state.scene, report.scenes));
-        add_row(row, report.total);
-        uses.push_back({state.file, state.spacing_ratio, bulk_neighbor_count(state)});
-        const std::string doubt = doubtful_support_radius(snapshot, support_radii(snapshot),
-                                                          valid_particles(snapshot, file));
-        if (!doubt.empty())
-            report.warnings.push_back(file.string() + ": " + doubt);
-        if (row.features_differ != 0)
-            report.warnings.push_back(
-                file.string() + ": the stored neighbor counts of " +
-                std::to_string(row.features_differ) +
-                " particles are not what its positions give; label it again before training");
-    }
+    AuditReport report =
+        audit_files(files, options, [&](const Snapshot& snapshot, const LabelledState& state) {
+            uses.push_back({state.file, state.spacing_ratio, bulk_neighbor_count(state)});
+            return audit_state(model, snapshot, state, options.label_threshold, options.threads);
+        });
+    report.model = model;
     const std::string warning = outside_trained_range(model, uses);
     if (!warning.empty())
         report.warnings.push_back(warning);

@@ -1,4 +1,4 @@
-#include "audit.hpp"
+#include "report.hpp"
 
 #include <meniscus/data/text/text.hpp>
 
@@ -46,31 +46,74 @@ std::string aligned(const std::vector<std::vector<std::string>>& lines) {
     return text;
 }
 
-std::vector<std::string> table_line(const AuditRow& row) {
-    return {row.scene,
-            part_of(row.files_trained_on, row.files.size()),
-            std::to_string(row.particles),
-            std::to_string(row.surface_particles),
-            std::to_string(row.false_negatives),
-            std::to_string(row.false_negatives_float),
-            percent(missed_area_fraction(row), 4),
-            std::to_string(row.false_positives),
-            percent(false_positive_rate(row)),
-            percent(false_positive_rate_interior(row)),
-            std::to_string(row.uncovered_false_positives),
-            part_of(row.bands[0].missed, row.bands[0].particles),
-            part_of(row.bands[1].missed, row.bands[1].particles),
-            part_of(row.bands[2].missed, row.bands[2].particles)};
+/// What a report has columns and keys for.
+bool is_for_model(const AuditReport& report) {
+    return !report.detector && !report.flag;
 }
 
-std::string unseen_text(const AuditRow& all) {
+/// A detector's threshold as the table shows it.
+std::string threshold_text(const std::optional<double>& threshold) {
+    return threshold ? rounded_text(*threshold, 6) : "none";
+}
+
+std::string false_positives_text(const DetectorKind& kind, const AuditRow& row,
+                                 const std::optional<double>& threshold) {
+    if (!threshold)
+        return "-";
+    return percent(fraction(false_positives_at(kind, row, *threshold), row.particles));
+}
+
+std::vector<std::string> table_titles(const AuditReport& report) {
+    std::vector<std::string> titles = {"scene", is_for_model(report) ? "trained on" : "files",
+                                       "particles", "surface", "missed"};
+    if (is_for_model(report))
+        titles.emplace_back("in float");
+    for (const char* title : {"missed area", "false pos.", "of all", "of interior", "uncovered",
+                              "to 0.5 %", "to 2 %", "above"})
+        titles.emplace_back(title);
+    if (report.detector) {
+        titles.emplace_back("none missed at");
+        titles.emplace_back("false pos. then");
+    }
+    return titles;
+}
+
+std::vector<std::string> table_line(const AuditReport& report, const AuditRow& row) {
+    std::vector<std::string> line = {
+        row.scene,
+        is_for_model(report) ? part_of(row.files_trained_on, row.files.size())
+                             : std::to_string(row.files.size()),
+        std::to_string(row.particles), std::to_string(row.surface_particles),
+        std::to_string(row.false_negatives)};
+    if (is_for_model(report))
+        line.push_back(std::to_string(row.false_negatives_float));
+    line.insert(line.end(),
+                {percent(missed_area_fraction(row), 4), std::to_string(row.false_positives),
+                 percent(false_positive_rate(row)), percent(false_positive_rate_interior(row)),
+                 std::to_string(row.uncovered_false_positives)});
+    for (const LambdaBand& band : row.bands)
+        line.push_back(part_of(band.missed, band.particles));
+    if (report.detector) {
+        const DetectorKind& kind = report.detector->kind;
+        const auto threshold = threshold_that_misses_none(kind, row);
+        line.push_back(threshold_text(threshold));
+        line.push_back(false_positives_text(kind, row, threshold));
+    }
+    return line;
+}
+
+std::string unseen_text(const AuditReport& report) {
+    const AuditRow& all = report.total;
+    const char* kind = is_for_model(report) ? " snapshots not trained on" : " snapshots";
+    if (all.unseen_rates.empty() && !is_for_model(report))
+        return "No snapshot has surface particles.\n";
     if (all.unseen_rates.empty())
         return "All snapshots with surface particles were trained on: their false negatives say "
                "nothing of "
                "new ones.\n";
     return std::to_string(unseen_with_misses(all)) + " of " +
-           std::to_string(all.unseen_rates.size()) +
-           " snapshots not trained on have false negatives. With 95 % confidence a new one of "
+           std::to_string(all.unseen_rates.size()) + kind +
+           " have false negatives. With 95 % confidence a new one of "
            "their kind\nmisses at most " +
            percent(*false_negative_rate_upper_95(all)) +
            " of its surface particles on average, and misses any with a probability of at most " +
@@ -91,28 +134,54 @@ Json bands_json(const AuditRow& row) {
     return bands;
 }
 
-Json row_json(const AuditRow& row) {
-    return {{"scene", row.scene},
-            {"files", row.files},
-            {"files_trained_on", row.files_trained_on},
-            {"particles", row.particles},
-            {"surface", row.surface_particles},
-            {"false_negatives", row.false_negatives},
-            {"false_negatives_float", row.false_negatives_float},
-            {"false_positives", row.false_positives},
-            {"false_positives_float", row.false_positives_float},
-            {"false_positives_after_coverage_check", row.uncovered_false_positives},
-            {"false_negative_rate", false_negative_rate(row)},
-            {"false_positive_rate", false_positive_rate(row)},
-            {"false_positive_rate_interior", false_positive_rate_interior(row)},
-            {"missed_area", missed_area_fraction(row)},
-            {"bands", bands_json(row)},
-            {"unseen",
-             {{"snapshots", row.unseen_rates.size()},
-              {"snapshots_with_false_negatives", unseen_with_misses(row)},
-              {"false_negative_rate_upper_95", optional_number(false_negative_rate_upper_95(row))},
-              {"snapshot_with_false_negatives_upper_95",
-               optional_number(snapshot_with_misses_upper_95(row))}}}};
+Json row_json(const AuditReport& report, const AuditRow& row) {
+    Json json = {{"scene", row.scene}, {"files", row.files}};
+    if (is_for_model(report))
+        json["files_trained_on"] = row.files_trained_on;
+    json["particles"] = row.particles;
+    json["surface"] = row.surface_particles;
+    json["false_negatives"] = row.false_negatives;
+    if (is_for_model(report))
+        json["false_negatives_float"] = row.false_negatives_float;
+    json["false_positives"] = row.false_positives;
+    if (is_for_model(report))
+        json["false_positives_float"] = row.false_positives_float;
+    json["false_positives_after_coverage_check"] = row.uncovered_false_positives;
+    json["false_negative_rate"] = false_negative_rate(row);
+    json["false_positive_rate"] = false_positive_rate(row);
+    json["false_positive_rate_interior"] = false_positive_rate_interior(row);
+    json["missed_area"] = missed_area_fraction(row);
+    if (report.detector) {
+        const DetectorKind& kind = report.detector->kind;
+        const auto threshold = threshold_that_misses_none(kind, row);
+        json["threshold_that_misses_none"] = optional_number(threshold);
+        json["false_positives_then"] =
+            threshold ? Json(false_positives_at(kind, row, *threshold)) : Json(nullptr);
+    }
+    json["bands"] = bands_json(row);
+    json["unseen"] = {
+        {"snapshots", row.unseen_rates.size()},
+        {"snapshots_with_false_negatives", unseen_with_misses(row)},
+        {"false_negative_rate_upper_95", optional_number(false_negative_rate_upper_95(row))},
+        {"snapshot_with_false_negatives_upper_95",
+         optional_number(snapshot_with_misses_upper_95(row))}};
+    return json;
+}
+
+/// What is judged, with its name as key.
+Json judged_json(const AuditReport& report) {
+    if (report.flag)
+        return {{"flag", {{"array", report.flag->array}, {"min", report.flag->min}}}};
+    if (!report.detector)
+        return {{"model", Json::parse(model_to_json(report.model))}};
+    const DetectorKind& kind = report.detector->kind;
+    return {{"detector",
+             {{"name", kind.name},
+              {"method", kind.method},
+              {"source", kind.source},
+              {"quantity", kind.quantity},
+              {"surface_is_below", kind.surface_is_below},
+              {"threshold", report.detector->threshold}}}};
 }
 
 std::string quoted(const std::string& text) {
@@ -126,65 +195,87 @@ std::string csv_number(const std::optional<double>& number) {
     return number ? number_text(*number) : std::string();
 }
 
+/// Which particles are surface for what is judged.
+std::string judged_text(const AuditReport& report) {
+    if (report.flag)
+        return "'" + report.flag->array + "' is at least " + std::to_string(report.flag->min);
+    if (report.detector) {
+        const DetectorKind& kind = report.detector->kind;
+        return kind.name + " flags (" + kind.source + ": " + kind.method + "; " + kind.quantity +
+               (kind.surface_is_below ? " below " : " above ") +
+               rounded_text(report.detector->threshold, 6) + ")";
+    }
+    const Model& model = report.model;
+    std::string text = line_text(model.line, model.features, 6);
+    if (model.second)
+        text += " and " + line_text(model.second->line, model.second->features, 6);
+    return text + " (" + model.objective + ")";
+}
+
 /// What is judged against what.
 std::string heading(const AuditReport& report) {
-    const Model& model = report.model;
-    std::string text =
-        "surface where " + line_text(model.line, model.features, 6) + " (" + model.objective + ")";
-    if (model.second)
-        text = "surface where " + line_text(model.line, model.features, 6) + " and " +
-               line_text(model.second->line, model.second->features, 6) + " (" + model.objective +
-               ")";
-    text += "; by label where more than " + rounded_text(100 * report.label_threshold, 3) +
-            " % of the sphere is uncovered";
-    if (model.label_threshold != report.label_threshold)
-        text +=
-            " (the model was trained at " + rounded_text(100 * model.label_threshold, 3) + " %)";
+    std::string text = "surface where " + judged_text(report) + "; by label where more than " +
+                       rounded_text(100 * report.label_threshold, 3) +
+                       " % of the sphere is uncovered";
+    if (is_for_model(report) && report.model.label_threshold != report.label_threshold)
+        text += " (the model was trained at " +
+                rounded_text(100 * report.model.label_threshold, 3) + " %)";
     return text + "\n\n";
 }
 
 } // namespace
 
 std::string to_table(const AuditReport& report) {
-    std::vector<std::vector<std::string>> lines = {
-        {"scene", "trained on", "particles", "surface", "missed", "in float", "missed area",
-         "false pos.", "of all", "of interior", "uncovered", "to 0.5 %", "to 2 %", "above"}};
+    std::vector<std::vector<std::string>> lines = {table_titles(report)};
     for (const AuditRow& row : all_rows(report))
-        lines.push_back(table_line(row));
-    return heading(report) + aligned(lines) +
-           "\nmissed: false negatives; missed area: their share of all uncovered area; uncovered: "
-           "false positives\nthat a coverage check leaves; last columns: missed of all particles "
-           "by uncovered fraction.\n" +
-           unseen_text(report.total);
+        lines.push_back(table_line(report, row));
+    std::string text =
+        heading(report) + aligned(lines) +
+        "\nmissed: false negatives; missed area: their share of all uncovered area; uncovered: "
+        "false positives\nthat a coverage check leaves; then missed of all particles "
+        "by uncovered fraction.\n";
+    if (report.detector)
+        text += "none missed at: the threshold at which no surface particle would be missed (none: "
+                "what follows the\nthreshold leaves some out at any), and what share of all "
+                "particles it would flag besides.\n";
+    return text + unseen_text(report);
 }
 
 std::string to_json(const AuditReport& report) {
     Json scenes = Json::array();
     for (const AuditRow& row : report.scenes)
-        scenes.push_back(row_json(row));
-    const Json json = {{"model", Json::parse(model_to_json(report.model))},
-                       {"label_threshold", report.label_threshold},
-                       {"scenes", scenes},
-                       {"total", row_json(report.total)},
-                       {"warnings", report.warnings}};
+        scenes.push_back(row_json(report, row));
+    Json json = judged_json(report);
+    json["label_threshold"] = report.label_threshold;
+    json["scenes"] = scenes;
+    json["total"] = row_json(report, report.total);
+    json["warnings"] = report.warnings;
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::string to_csv(const AuditReport& report) {
-    std::string text =
-        "scene,files,files_trained_on,particles,surface,false_negatives,false_negatives_float,"
-        "false_positives,false_positives_float,false_positives_after_coverage_check,"
-        "false_negative_rate,false_positive_rate,false_positive_rate_interior,missed_area";
+    const bool for_model = is_for_model(report);
+    std::string text = for_model ? "scene,files,files_trained_on,particles,surface,false_negatives,"
+                                   "false_negatives_float,false_positives,false_positives_float"
+                                 : "scene,files,particles,surface,false_negatives,false_positives";
+    text += ",false_positives_after_coverage_check,"
+            "false_negative_rate,false_positive_rate,false_positive_rate_interior,missed_area";
     for (const char* band : {"0_to_0.005", "0.005_to_0.02", "above_0.02"})
         text += std::string(",particles_") + band + ",missed_" + band;
     text += ",unseen_snapshots,unseen_snapshots_with_false_negatives,"
-            "false_negative_rate_upper_95,snapshot_with_false_negatives_upper_95\n";
+            "false_negative_rate_upper_95,snapshot_with_false_negatives_upper_95";
+    text += report.detector ? ",threshold_that_misses_none,false_positives_then\n" : "\n";
     for (const AuditRow& row : all_rows(report)) {
         text += quoted(row.scene);
-        for (const std::size_t number :
-             {row.files.size(), row.files_trained_on, row.particles, row.surface_particles,
-              row.false_negatives, row.false_negatives_float, row.false_positives,
-              row.false_positives_float, row.uncovered_false_positives})
+        std::vector<std::size_t> numbers = {row.files.size(),      row.particles,
+                                            row.surface_particles, row.false_negatives,
+                                            row.false_positives,   row.uncovered_false_positives};
+        if (for_model)
+            numbers = {
+                row.files.size(),      row.files_trained_on,      row.particles,
+                row.surface_particles, row.false_negatives,       row.false_negatives_float,
+                row.false_positives,   row.false_positives_float, row.uncovered_false_positives};
+        for (const std::size_t number : numbers)
             text += "," + std::to_string(number);
         for (const double rate : {false_negative_rate(row), false_positive_rate(row),
                                   false_positive_rate_interior(row), missed_area_fraction(row)})
@@ -194,7 +285,14 @@ std::string to_csv(const AuditReport& report) {
         text += "," + std::to_string(row.unseen_rates.size()) + "," +
                 std::to_string(unseen_with_misses(row)) + "," +
                 csv_number(false_negative_rate_upper_95(row)) + "," +
-                csv_number(snapshot_with_misses_upper_95(row)) + "\n";
+                csv_number(snapshot_with_misses_upper_95(row));
+        if (report.detector) {
+            const auto threshold = threshold_that_misses_none(report.detector->kind, row);
+            text += "," + csv_number(threshold) + ",";
+            if (threshold)
+                text += std::to_string(false_positives_at(report.detector->kind, row, *threshold));
+        }
+        text += "\n";
     }
     return text;
 }

@@ -162,5 +162,107 @@ TEST_F(Audit, RefusesAModelOfAnotherKind) {
     fail(2, {"audit", wide, "--model", model}, {"model.json", "wide.vtkhdf", "radius ratio"});
 }
 
+class AuditedDetectors : public CommandLine {
+protected:
+    void SetUp() override {
+        CommandLine::SetUp();
+        droplet = label(sample("droplet_iisph_04"));
+    }
+
+    [[nodiscard]] Json json(const Words& words) const {
+        return Json::parse(succeed(Words{"audit", "--format", "json"} + words));
+    }
+
+    Path droplet;
+};
+
+TEST_F(AuditedDetectors, TheThresholdThatIsPrintedMissesNothing) {
+    for (const char* name : {"dualsphysics", "sphinxsys", "chrono", "marrone", "barecasco"}) {
+        const Json report = json({droplet, "--detector", name});
+        EXPECT_EQ(report["detector"]["name"], name);
+        EXPECT_EQ(report["label_threshold"], 0.02);
+        const Json total = report["total"];
+        EXPECT_EQ(total["false_negatives"], total["bands"][2]["missed"]);
+        const Json threshold = total["threshold_that_misses_none"];
+        if (threshold.is_null()) {
+            EXPECT_TRUE(total["false_positives_then"].is_null()) << name;
+            EXPECT_GT(total["false_negatives"], 0) << name;
+            continue;
+        }
+        const Json then =
+            json({droplet, "--detector", name, "--detector-threshold", threshold.dump()})["total"];
+        EXPECT_EQ(then["false_negatives"], 0) << name;
+        EXPECT_EQ(then["false_positives"], total["false_positives_then"]) << name;
+    }
+    // A little nearer to the code's own side something is missed.
+    const double threshold =
+        json({droplet, "--detector", "chrono"})["total"]["threshold_that_misses_none"];
+    EXPECT_GT(json({droplet, "--detector", "chrono", "--detector-threshold",
+                    std::to_string(threshold - 2e-4)})["total"]["false_negatives"],
+              0);
+}
+
+TEST_F(AuditedDetectors, CsvAndTableSayWhatJsonSays) {
+    const Words words = {droplet, label(sample("cube_iisph_05")), "--detector", "dualsphysics"};
+    const Json report = json(words);
+    const auto rows = csv_rows(succeed(Words{"audit", "--format", "csv"} + words));
+    ASSERT_EQ(rows.size(), 4U);
+    const std::string table = succeed(Words{"audit"} + words);
+    expect_mentions(table, {"dualsphysics", "2.75", "2 %", "none missed at"});
+    for (std::size_t s = 0; s < 2; ++s) {
+        const Json& scene = report["scenes"][s];
+        expect_mentions(table, {scene["scene"].get<std::string>().c_str(),
+                                scene["false_negatives"].dump().c_str()});
+        EXPECT_FALSE(scene.contains("files_trained_on"));
+        for (std::size_t column = 0; column < rows[0].size(); ++column) {
+            const std::string& name = rows[0][column];
+            if (scene.contains(name) && scene[name].is_number()) {
+                EXPECT_EQ(Json::parse(rows[s + 1].at(column)), scene[name]) << name;
+            }
+        }
+    }
+}
+
+TEST_F(AuditedDetectors, FlagsOfASnapshotAreJudgedAsTheyAre) {
+    Snapshot flagged = read_vtkhdf(droplet);
+    const auto lambda = scalar_values(flagged, "uncovered_fraction");
+    std::vector<std::int32_t> types(lambda.size());
+    for (std::size_t i = 0; i < types.size(); ++i)
+        types[i] = lambda[i] > 0.02 ? 2 : i % 3 == 0 ? 1 : 0; // 1: beside the surface
+    set_array(flagged, {"FSType", 1, types});
+    set_array(flagged, {"part", 1, std::vector<float>(types.size(), 0.5F)});
+    const Path file = save(flagged, "flagged.vtkhdf");
+    const Json exact = json({file, "--flag", "FSType", "--flag-min", "2"});
+    EXPECT_EQ(exact["flag"], Json({{"array", "FSType"}, {"min", 2}}));
+    EXPECT_GT(exact["total"]["surface"], 0);
+    EXPECT_EQ(exact["total"]["false_negatives"], 0);
+    EXPECT_EQ(exact["total"]["false_positives"], 0);
+    EXPECT_GT(json({file, "--flag", "FSType"})["total"]["false_positives"], 0);
+    fail(1, {"audit", file, "--flag", "FSType", "--flag-min", "3", "--max-false-negatives", "0"},
+         {"false negatives"});
+    fail(2, {"audit", file, "--flag", "part"}, {"flagged.vtkhdf", "part", "0.5"});
+    fail(2, {"audit", file, "--flag", "Indicator"}, {"flagged.vtkhdf", "Indicator"});
+    fail(2, {"audit", file, "--flag", "velocity"}, {"velocity"});
+}
+
+TEST_F(AuditedDetectors, RefusesWhatDoesNotGoTogether) {
+    const Path model = Path(MENISCUS_MODELS) / "surface_3d.json";
+    const Words audit = {"audit", droplet};
+    fail(2, audit, {"--model", "--detector", "--flag", "required"});
+    fail(2, audit + Words{"--model", model, "--detector", "marrone"},
+         {"--model", "--detector", "give one"});
+    fail(2, audit + Words{"--model", model, "--detector-threshold", "2"}, {"--detector"});
+    fail(2, audit + Words{"--flag", "valid", "--detector-threshold", "2"}, {"--flag-min"});
+    fail(2, audit + Words{"--detector", "marrone", "--flag-min", "2"}, {"--detector-threshold"});
+    fail(2, audit + Words{"--detector", "fluidix"}, {"'fluidix'", "sphinxsys"});
+    for (const char* threshold : {"nan", "inf", "-1", "1e9"})
+        fail(2, audit + Words{"--detector", "chrono", "--detector-threshold", threshold},
+             {"--detector-threshold", "0 to 10"});
+    const Path flat = label(save(block(9, 2), "flat.vtkhdf"));
+    fail(2, {"audit", flat, "--detector", "chrono"}, {"flat.vtkhdf", "chrono", "three dimensions"});
+    fail(2, {"audit", droplet, flat, "--detector", "marrone"}, {"3D", "2D", "one dimension"});
+    succeed({"audit", flat, "--detector", "marrone"});
+}
+
 } // namespace
 } // namespace meniscus

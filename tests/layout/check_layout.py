@@ -21,6 +21,7 @@ MAY_INCLUDE = {
     "sph": {"runtime", "data"},
     "bindings": {"runtime"},
     "bindings/python": {"runtime", "data", "labeler", "classifier", "sph", "bindings", "app"},
+    "plugins": {"runtime"},
     "app": {"runtime", "data", "labeler", "classifier", "sph", "bindings", "bench"},
     # Plain oracles lie in tests/reference.
     "bench": {"runtime", "data", "labeler", "classifier", "sph", "bindings", "tests"},
