@@ -9,7 +9,7 @@ set(CPACK_PACKAGE_DESCRIPTION
     "Finds the free surface of SPH fluids, trains and exports surface classifiers, and
 computes surface tension: a command, C and C++ libraries, and a Python module.")
 set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
-set(CPACK_PACKAGE_CONTACT "meniscus developers <meniscus@localhost>")
+set(CPACK_PACKAGE_CONTACT "The authors of meniscus")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_GENERATOR DEB)
