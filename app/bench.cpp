@@ -36,7 +36,7 @@ struct Bench {
     void add(const Table& table) {
         std::string text = markdown(table);
         if (!command.quiet)
-            fmt::print("\n{}\n\n{}", table.title, text);
+            print_text(fmt::format("\n{}\n\n{}", table.title, text));
         std::fflush(stdout);
         for (const Plot& plot : table.plots) {
             draw(table, plot, command.folder);
@@ -58,8 +58,9 @@ std::string table_names() {
 void write_report(const Bench& bench) {
     nlohmann::json inputs = nlohmann::json::array();
     for (const auto& state : bench.input.states)
-        inputs.push_back(
-            {{"name", state.name}, {"scene", state.scene}, {"particles", state.size()}});
+        inputs.push_back({{"name", printable(state.name)},
+                          {"scene", printable(state.scene)},
+                          {"particles", state.size()}});
     nlohmann::json tables = nlohmann::json::array();
     for (const Table& table : bench.tables)
         tables.push_back(to_json(table));
@@ -107,7 +108,7 @@ void run_bench(const BenchCommand& command) {
         input.states.push_back(read_fluid_state<float>(file));
     const std::string machine_text = about(bench);
     if (!command.quiet)
-        fmt::print("{}", machine_text);
+        print_text(machine_text);
     write_whole(command.folder / "machine.md", machine_text);
     for (const TableKind& table : compared_tables())
         if (is_wanted(command, table.name))

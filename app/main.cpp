@@ -44,6 +44,7 @@ int run(CLI::App& command, int argument_count, char** arguments) {
 
 int main(int argument_count, char** arguments) {
     try {
+        meniscus::open_standard_streams();
         meniscus::install_interrupt_handler();
         CLI::App command(
             "Finds the free surface of SPH fluids: simulate scenes, label snapshots, train "

@@ -12,6 +12,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr std::size_t max_scene = 200; ///< bytes of a name in a table
+
 std::string percent(double fraction, int digits = 2) {
     char text[32];
     std::snprintf(text, sizeof text, "%.*f %%", digits, 100 * fraction);
@@ -47,7 +49,7 @@ std::string aligned(const std::vector<std::vector<std::string>>& lines) {
 }
 
 std::vector<std::string> table_line(const AuditRow& row) {
-    return {row.scene,
+    return {printable(row.scene, max_scene),
             part_of(row.files_trained_on, row.files.size()),
             std::to_string(row.particles),
             std::to_string(row.surface_particles),
@@ -129,12 +131,12 @@ std::string csv_number(const std::optional<double>& number) {
 /// What is judged against what.
 std::string heading(const AuditReport& report) {
     const Model& model = report.model;
-    std::string text =
-        "surface where " + line_text(model.line, model.features, 6) + " (" + model.objective + ")";
+    std::string text = "surface where " + line_text(model.line, model.features, 6) + " (" +
+                       printable(model.objective, max_scene) + ")";
     if (model.second)
         text = "surface where " + line_text(model.line, model.features, 6) + " and " +
-               line_text(model.second->line, model.second->features, 6) + " (" + model.objective +
-               ")";
+               line_text(model.second->line, model.second->features, 6) + " (" +
+               printable(model.objective, max_scene) + ")";
     text += "; by label where more than " + rounded_text(100 * report.label_threshold, 3) +
             " % of the sphere is uncovered";
     if (model.label_threshold != report.label_threshold)
@@ -167,7 +169,7 @@ std::string to_json(const AuditReport& report) {
                        {"scenes", scenes},
                        {"total", row_json(report.total)},
                        {"warnings", report.warnings}};
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";
 }
 
 std::string to_csv(const AuditReport& report) {
@@ -180,7 +182,7 @@ std::string to_csv(const AuditReport& report) {
     text += ",unseen_snapshots,unseen_snapshots_with_false_negatives,"
             "false_negative_rate_upper_95,snapshot_with_false_negatives_upper_95\n";
     for (const AuditRow& row : all_rows(report)) {
-        text += quoted(row.scene);
+        text += quoted(printable(row.scene));
         for (const std::size_t number :
              {row.files.size(), row.files_trained_on, row.particles, row.surface_particles,
               row.false_negatives, row.false_negatives_float, row.false_positives,
