@@ -1,5 +1,6 @@
 #include "confinement.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <climits>
 #include <cstddef>
@@ -102,19 +103,18 @@ std::vector<sock_filter> filter_of(const std::vector<AllowedCall>& calls) {
 
 } // namespace
 
-KeptDescriptors close_all_but(KeptDescriptors kept) {
-    // High ones first, so that neither is overwritten while it takes its place.
-    const int file = fcntl(kept.file, F_DUPFD_CLOEXEC, 10);
-    const int pipe = fcntl(kept.pipe, F_DUPFD_CLOEXEC, 10);
+void close_all_but(int one, int other) {
+    const auto low = static_cast<unsigned>(std::min(one, other));
+    const auto high = static_cast<unsigned>(std::max(one, other));
+    close_between(3, low - 1);
+    close_between(low + 1, high - 1);
+    close_between(high + 1, UINT_MAX);
     const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC);
-    if (file < 0 || pipe < 0)
-        _exit(1);
     for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
         if (nowhere < 0 || dup2(nowhere, standard) < 0)
             close(standard);
-    const KeptDescriptors now = {dup2(file, 3), dup2(pipe, 4)};
-    close_between(5, UINT_MAX);
-    return now;
+    if (nowhere > STDERR_FILENO)
+        close(nowhere);
 }
 
 void allow_memory_and_open_descriptors_only() {

@@ -5,15 +5,9 @@
 
 namespace meniscus {
 
-/// Descriptors of a process that does nothing but read one file and send what it found.
-struct KeptDescriptors {
-    int file;
-    int pipe;
-};
-
-/// Closes all descriptors but these two, which get other numbers, and 0 to 2, which lead to
-/// /dev/null from now on; returns the new numbers.
-KeptDescriptors close_all_but(KeptDescriptors kept);
+/// Closes all descriptors but these two, which are above 2, and lets 0 to 2 lead to /dev/null.
+/// Those of others stay open on kernels before 5.9.
+void close_all_but(int one, int other);
 
 /// Lets the system refuse all calls but those by which memory is had, open descriptors are read and
 /// written, and the process ends: no file, program or network can be opened, and no process but its

@@ -77,8 +77,8 @@ void reset_signals() {
 }
 
 /// From here on the process can do nothing but read its file, calculate, and answer.
-OpenedFile settle_in(pid_t parent, const OpenedFile& file, int& pipe, const ReadLimits& limits,
-                     std::uint64_t max_memory) {
+void settle_in(pid_t parent, int file, int pipe, const ReadLimits& limits,
+               std::uint64_t max_memory) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent)
         _exit(1); // it was gone before that
@@ -87,11 +87,9 @@ OpenedFile settle_in(pid_t parent, const OpenedFile& file, int& pipe, const Read
     lower_limit(RLIMIT_CPU, limits.processor_seconds);
     if (limits_memory)
         lower_limit(RLIMIT_AS, max_memory);
-    const KeptDescriptors kept = close_all_but({file.descriptor, pipe});
-    pipe = kept.pipe;
+    close_all_but(file, pipe);
     clearenv();
     allow_memory_and_open_descriptors_only();
-    return {file.path, kept.file, file.bytes};
 }
 
 void send_error(Sender& sender, Outcome outcome, const std::string& message) {
@@ -209,7 +207,7 @@ std::pair<int, int> open_pipe(const fs::path& file) {
 /// Forks a child that reads, and returns the parent's end of the pipe and the child's number.
 std::pair<int, pid_t> start(const OpenedFile& file, const SnapshotReader& read,
                             const ReadLimits& limits, std::uint64_t max_memory) {
-    auto [from, into] = open_pipe(file.path);
+    const auto [from, into] = open_pipe(file.path);
     // No signal may run the parent's handlers in the child.
     sigset_t all;
     sigset_t before;
@@ -218,8 +216,8 @@ std::pair<int, pid_t> start(const OpenedFile& file, const SnapshotReader& read,
     const pid_t parent = getpid();
     const auto [child, error] = fork_outside_hdf5();
     if (child == 0) {
-        const OpenedFile own = settle_in(parent, file, into, limits, max_memory);
-        be_child(into, own, read);
+        settle_in(parent, file.descriptor, into, limits, max_memory);
+        be_child(into, file, read);
     }
     pthread_sigmask(SIG_SETMASK, &before, nullptr);
     close(into);

@@ -45,6 +45,13 @@ fs::path folder_of(const fs::path& file) {
     throw InputError(message);
 }
 
+/// The same file under another number where a closed standard stream has left it its own.
+Descriptor above_standard_streams(Descriptor opened) {
+    if (opened < 0 || opened > STDERR_FILENO)
+        return opened;
+    return Descriptor(fcntl(opened, F_DUPFD_CLOEXEC, STDERR_FILENO + 1));
+}
+
 [[noreturn]] void fail_as_irregular(const fs::path& file) {
     throw InputError(file.string() + ": expected a regular file, found a device, pipe or socket");
 }
@@ -242,7 +249,8 @@ private:
 
 Descriptor open_regular_file(const fs::path& file) {
     // Without O_NONBLOCK a pipe would wait for its other end.
-    Descriptor opened(open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+    const int flags = O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;
+    Descriptor opened = above_standard_streams(Descriptor(open(file.c_str(), flags)));
     struct stat status = {};
     if (opened < 0 || fstat(opened, &status) != 0)
         fail_to_open(file);

@@ -12,8 +12,9 @@
 
 namespace meniscus {
 
-/// Opens a regular file for reading, without waiting for anything. Throws InputError where it is
-/// missing, of another kind, or closed to us; FailureError where the machine cannot open it.
+/// Opens a regular file for reading, without waiting for anything, under a number above those of
+/// the standard streams. Throws InputError where it is missing, of another kind, or closed to us;
+/// FailureError where the machine cannot open it.
 Descriptor open_regular_file(const std::filesystem::path& file);
 
 /// Bytes in an open file.
