@@ -38,11 +38,11 @@ struct Bench {
         if (!command.quiet)
             print_text(fmt::format("\n{}\n\n{}", table.title, text));
         std::fflush(stdout);
+        const WriteGuard guard;
         for (const Plot& plot : table.plots) {
             draw(table, plot, command.folder);
             text += fmt::format("\n![{}]({})\n", plot.title, plot.file);
         }
-        const WriteGuard guard;
         write_whole(command.folder / (table.name + ".md"), text);
         tables.push_back(table);
     }

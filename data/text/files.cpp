@@ -174,7 +174,8 @@ class PartialFile {
 public:
     explicit PartialFile(const fs::path& given)
         : name(given), target(without_links(given)), replaced(replaced_status(target)),
-          partial(random_partial_name(target)), descriptor(make()) {
+          partial(random_partial_name(target)),
+          descriptor(above_standard_streams(Descriptor(make()))) {
         // File systems that know no locks go without.
         flock(descriptor, LOCK_EX | LOCK_NB);
         try {
