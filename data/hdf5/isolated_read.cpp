@@ -100,6 +100,8 @@ void send_error(Sender& sender, Outcome outcome, const std::string& message) {
 
 void read_and_send(int pipe, const OpenedFile& file, const SnapshotReader& read) {
     Sender sender(pipe);
+    H5open(); // returns where its lock is free
+    sender.number(start_mark);
     try {
         Snapshot snapshot = read(file);
         sender.number(std::uint64_t{read_well});
@@ -162,28 +164,6 @@ private:
                        ": cannot start a process to read it: " + std::strerror(errno));
 }
 
-struct Fork {
-    pid_t child = -1;
-    int error = ENOMEM; ///< where HDF5 fails before it comes to that
-};
-
-herr_t fork_once(hid_t /*list*/, const char* /*property*/, void* data) {
-    auto& made = *static_cast<Fork*>(data);
-    made.child = fork();
-    made.error = errno;
-    return 1; // ends the iteration
-}
-
-/// Forks, as fork() does, while no other thread is inside the HDF5 library, in which the child
-/// would wait for that thread for ever: HDF5 calls functions of ours, such as one for each property
-/// of a list, with its lock held, and the child's thread is then the one that holds it.
-Fork fork_outside_hdf5() {
-    Fork made;
-    int first = 0;
-    H5Piterate(H5P_FILE_ACCESS_DEFAULT, &first, fork_once, &made);
-    return made;
-}
-
 /// Both ends of a pipe above the descriptors 0 to 2, which another program may count on or close.
 std::pair<int, int> open_pipe(const fs::path& file) {
     int low[2];
@@ -204,7 +184,40 @@ std::pair<int, int> open_pipe(const fs::path& file) {
     return {from, into};
 }
 
-/// Forks a child that reads, and returns the parent's end of the pipe and the child's number.
+/// What a child is to do, and what became of starting it.
+struct Start {
+    const OpenedFile& file;
+    const SnapshotReader& read;
+    const ReadLimits& limits;
+    std::uint64_t max_memory;
+    int pipe;
+    pid_t parent = getpid();
+    pid_t child = -1;
+    int error = ENOMEM; ///< where HDF5 fails before it comes to that
+};
+
+/// The child never comes back from here.
+herr_t fork_once(hid_t /*list*/, const char* /*property*/, void* data) {
+    auto& start = *static_cast<Start*>(data);
+    start.child = fork();
+    start.error = errno;
+    if (start.child == 0) {
+        settle_in(start.parent, start.file.descriptor, start.pipe, start.limits, start.max_memory);
+        be_child(start.pipe, start.file, start.read);
+    }
+    return 1; // ends the iteration
+}
+
+/// Forks while no other thread is inside the HDF5 library, for which the child would wait for ever:
+/// HDF5 calls functions of ours, such as one for each property of a list, with its lock held, and
+/// the child's thread is then the one that holds it. A thread that comes to wait for the lock at
+/// that very moment can still leave it in a state that no child gets over: see answers().
+void fork_outside_hdf5(Start& start) {
+    int first = 0;
+    H5Piterate(H5P_FILE_ACCESS_DEFAULT, &first, fork_once, &start);
+}
+
+/// Starts a child that reads, and returns the parent's end of the pipe and the child's number.
 std::pair<int, pid_t> start(const OpenedFile& file, const SnapshotReader& read,
                             const ReadLimits& limits, std::uint64_t max_memory) {
     const auto [from, into] = open_pipe(file.path);
@@ -213,20 +226,16 @@ std::pair<int, pid_t> start(const OpenedFile& file, const SnapshotReader& read,
     sigset_t before;
     sigfillset(&all);
     pthread_sigmask(SIG_SETMASK, &all, &before);
-    const pid_t parent = getpid();
-    const auto [child, error] = fork_outside_hdf5();
-    if (child == 0) {
-        settle_in(parent, file.descriptor, into, limits, max_memory);
-        be_child(into, file, read);
-    }
+    Start start{file, read, limits, max_memory, into};
+    fork_outside_hdf5(start);
     pthread_sigmask(SIG_SETMASK, &before, nullptr);
     close(into);
-    if (child < 0) {
+    if (start.child < 0) {
         close(from);
-        errno = error;
+        errno = start.error;
         fail_to_start(file.path);
     }
-    return {from, child};
+    return {from, start.child};
 }
 
 /// What a child has said.
@@ -238,8 +247,7 @@ struct Reply {
 
 /// Nothing where the child did not say it to the end. Throws TimeIsOver.
 std::optional<Reply> receive_reply(int pipe, const ReadLimits& limits) {
-    Receiver receiver(pipe, limits.memory_bytes,
-                      std::chrono::steady_clock::now() + limits.wall_time);
+    Receiver receiver(pipe, limits.memory_bytes, limits.wall_time);
     Reply reply;
     std::uint64_t mark = 0;
     try {
@@ -255,6 +263,19 @@ std::optional<Reply> receive_reply(int pipe, const ReadLimits& limits) {
         return std::nullopt;
     }
     return mark == end_mark ? std::optional(std::move(reply)) : std::nullopt;
+}
+
+/// Whether the child is at work within that time, or came to an end; false where it waits for
+/// HDF5's lock.
+bool answers(const Child& child, std::chrono::milliseconds patience) {
+    std::uint64_t mark = 0;
+    try {
+        Receiver(child.descriptor(), sizeof mark, patience).number(mark);
+    } catch (const TimeIsOver&) {
+        return false;
+    } catch (const BrokenPipe&) { // as whoever waits for it will notice
+    }
+    return true;
 }
 
 [[noreturn]] void fail_as_damaged(const fs::path& file, const std::string& how) {
@@ -288,12 +309,34 @@ std::optional<Reply> reply_in_time(const Child& child, const fs::path& file,
     }
 }
 
-Snapshot read_opened(const OpenedFile& file, const SnapshotReader& read, const ReadLimits& limits) {
-    const std::uint64_t max_memory = memory_in_use() + limits.memory_bytes;
+/// What a child has said and how it ended; nothing where it did not start to work in that time.
+struct Ending {
+    std::optional<Reply> reply;
+    int status;
+};
+
+std::optional<Ending> try_to_read(const OpenedFile& file, const SnapshotReader& read,
+                                  const ReadLimits& limits, std::uint64_t max_memory,
+                                  std::chrono::milliseconds patience) {
     const auto [pipe, process] = start(file, read, limits, max_memory);
     Child child(process, pipe);
+    if (!answers(child, patience))
+        return std::nullopt;
     std::optional<Reply> reply = reply_in_time(child, file.path, limits);
     const int status = child.wait();
+    return Ending{std::move(reply), status};
+}
+
+Snapshot read_opened(const OpenedFile& file, const SnapshotReader& read, const ReadLimits& limits) {
+    const std::uint64_t max_memory = memory_in_use() + limits.memory_bytes;
+    std::optional<Ending> ending;
+    // Each time for longer, as the machine may only be busy.
+    for (std::chrono::seconds patience(2); !ending; patience *= 2) {
+        if (patience > std::chrono::minutes(2))
+            throw FailureError(file.path.string() + ": the process to read it does not start");
+        ending = try_to_read(file, read, limits, max_memory, patience);
+    }
+    auto& [reply, status] = *ending;
     if (!reply)
         fail_as_it_ended(file.path, status, limits);
     switch (reply->outcome) {

@@ -21,11 +21,14 @@
 
 namespace meniscus {
 
-/// What a child has to say; the first number that it sends.
+/// What a child has to say; the number after start_mark.
 enum Outcome : std::uint64_t { read_well, bad_input, failed, out_of_memory };
 
+/// What a child says first of all, when it is at work.
+inline constexpr std::uint64_t start_mark = 0x6d656e6973637573;
+
 /// The last number, after which nothing is missing.
-inline constexpr std::uint64_t end_mark = 0x6d656e6973637573;
+inline constexpr std::uint64_t end_mark = ~start_mark;
 
 /// Thrown where the pipe brings less than it should, or what no child sends that is well.
 struct BrokenPipe {};
@@ -79,13 +82,13 @@ private:
 };
 
 /// The parent's end. What the child claims to send is believed as it arrives, no more than `max`
-/// bytes of it and nothing later than `end`.
+/// bytes of it and nothing after that time.
 class Receiver {
 public:
     using Clock = std::chrono::steady_clock;
 
-    Receiver(int pipe, std::uint64_t max, Clock::time_point end)
-        : descriptor(pipe), left(max), end(end) {}
+    Receiver(int pipe, std::uint64_t max, std::chrono::milliseconds time)
+        : descriptor(pipe), left(max), end(Clock::now() + time) {}
 
     template <class Number>
     void number(Number& value) {
