@@ -240,6 +240,7 @@ void write_vtkhdf(const Snapshot& snapshot, const fs::path& file) {
     check_consistent(snapshot);
     std::string image;
     try {
+        const std::lock_guard<std::mutex> turn(hdf5_turn());
         const QuietErrors quiet;
         image = file_image(snapshot, file.string() + " (in memory)");
     } catch (const std::bad_alloc&) {

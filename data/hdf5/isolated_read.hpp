@@ -41,8 +41,9 @@ ReadLimits limits_for(std::uint64_t file_bytes);
 /// open file and, but under kernels without seccomp, no way to open one; it ignores the terminal's
 /// signals, prints nothing, leaves no core, and dies with its parent. Memory is not limited under
 /// AddressSanitizer, which reserves more than any limit.
-/// Other threads may do what they like meanwhile, use HDF5 too where it is built for threads
-/// (H5is_library_threadsafe), as Debian's is; where it is not, calls to this are calls to HDF5.
+/// Other threads may do what they like meanwhile, and use HDF5 themselves where it is built for
+/// threads (H5is_library_threadsafe), as Debian's is; where it is not, calls to this are calls to
+/// HDF5.
 Snapshot read_isolated(const std::filesystem::path& file, const SnapshotReader& read,
                        const ReadLimits& limits);
 

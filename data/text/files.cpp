@@ -296,7 +296,7 @@ void check_can_be_written(const fs::path& name) {
     std::error_code ignored; // where the path cannot even be looked at, its folder says why
     const fs::file_status status = fs::status(file, ignored);
     if (fs::exists(status) && !fs::is_regular_file(status)) {
-        throw InputError(file.string() +
+        throw InputError(name.string() +
                          ": expected a file to replace or no file at all, found a " +
                          (fs::is_directory(status) ? "folder" : "device, pipe or socket"));
     }
