@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <mutex>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -41,13 +40,6 @@ private:
     hid_t id;
     herr_t (*close)(hid_t);
 };
-
-/// Held by whoever of us is inside HDF5 in this process, which is built for several threads in some
-/// places only, and whose own lock lets a busy thread have it again and again.
-inline std::mutex& hdf5_turn() {
-    static std::mutex turn;
-    return turn;
-}
 
 /// HDF5 prints its errors to the terminal unless told not to; ours say it in one line.
 class QuietErrors {

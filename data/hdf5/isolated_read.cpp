@@ -2,11 +2,13 @@
 
 #include "confinement.hpp"
 #include "deflate.hpp"
-#include "hdf5_handles.hpp"
+#include "hdf5_turn.hpp"
 #include "snapshot_pipe.hpp"
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/files.hpp>
 #include <meniscus/data/text/text.hpp>
+
+#include <hdf5.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -212,7 +214,7 @@ herr_t fork_once(hid_t /*list*/, const char* /*property*/, void* data) {
 /// the child's thread is then the one that holds it. A thread that comes to wait for the lock at
 /// that very moment can still leave it in a state that no child gets over: see answers().
 void fork_outside_hdf5(Start& start) {
-    const std::lock_guard<std::mutex> turn(hdf5_turn());
+    const std::lock_guard<FairLock> turn(hdf5_turn());
     int first = 0;
     H5Piterate(H5P_FILE_ACCESS_DEFAULT, &first, fork_once, &start);
 }

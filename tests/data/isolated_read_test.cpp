@@ -452,14 +452,15 @@ TEST_F(IsolatedRead, AnotherThreadMayUseHdf5) {
     hbool_t is_for_threads = 0;
     if (H5is_library_threadsafe(&is_for_threads) < 0 || is_for_threads == 0)
         GTEST_SKIP() << "HDF5 is not built for threads";
-    const Snapshot snapshot = everything();
+    Snapshot snapshot;
+    snapshot.positions = {{1, 2, 3}, {4, 5, 6}};
     write_vtkhdf(snapshot, folder / "state.vtkhdf");
     std::atomic<bool> going{true};
     std::thread writer([&] {
         while (going)
             write_vtkhdf(snapshot, folder / "other.vtkhdf");
     });
-    for (int i = 0; i < 20; ++i)
+    for (int i = 0; i < 10; ++i)
         EXPECT_EQ(read_vtkhdf(folder / "state.vtkhdf").size(), 2U);
     going = false;
     writer.join();
