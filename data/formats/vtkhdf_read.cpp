@@ -55,11 +55,19 @@ void check_grid(const Hdf5Source& source) {
     check_steps(source);
 }
 
+/// HDF5 cuts fractions off where it is asked for integers.
+void check_is_whole(const Hdf5Source& source, const Dataset& dataset) {
+    if (H5Tget_class(Handle(H5Dget_type(dataset.id), H5Tclose)) == H5T_INTEGER)
+        return;
+    for (const double number : as_doubles({"", 1, read_numbers(source, dataset)}))
+        if (number != std::floor(number))
+            fail(source, dataset.path, "whole numbers", number_text(number));
+}
+
 /// The sum over the partitions of the grid.
 std::uint64_t read_count(const Hdf5Source& source, const std::string& path) {
     const Dataset dataset = open_dataset(source, path);
-    if (H5Tget_class(Handle(H5Dget_type(dataset.id), H5Tclose)) != H5T_INTEGER)
-        fail(source, path, "whole numbers", "another type");
+    check_is_whole(source, dataset);
     std::vector<std::int64_t> counts(value_count(dataset));
     read_into(source, dataset, number_type<std::int64_t>(), counts.data());
     std::uint64_t sum = 0;
