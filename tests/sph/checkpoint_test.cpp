@@ -100,6 +100,13 @@ TEST_F(Checkpoints, AFlippedBitOfASmallArrayIsNoticed) {
     }
 }
 
+TEST_F(Checkpoints, ThoseOfDeepScenesAreNoCrash) {
+    const std::string deep = std::string(200'000, '[') + std::string(200'000, ']');
+    write_checkpoint(some_checkpoint(), scene(), deep, folder / "c.vtkhdf");
+    expect_mentions(error_of<InputError>([&] { read(folder / "c.vtkhdf"); }),
+                    {"c.vtkhdf", "another scene", "cannot be read", "--restart"});
+}
+
 TEST_F(Checkpoints, ThoseOfNoRunAreRefused) {
     Scene runs = scene();
     runs.name = "drop";
