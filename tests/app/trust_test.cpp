@@ -70,11 +70,12 @@ TEST_F(Trust, WarningsThatNobodyCanReadEndNoWork) {
 TEST_F(Trust, WantOfDescriptorsIsAFailureOfTheMachine) {
     const Path input = save(block(5), "block.vtkhdf");
     const Words limited = {"sh", "-c", "ulimit -n 4 && exec \"$@\"", "sh"};
-    fail_as(3, limited + program + Words{"label", input, "-o", folder, "--dimension", "3"}, {});
+    fail_as(3, limited + program + Words{"label", input, "-o", folder / "out"}, {"block.vtkhdf"});
 }
 
 TEST_F(Trust, NamesInFilesDoNothingToATerminal) {
-    const Path key = write("key.json", Json{{evil, 1}}.dump());
+    const Path key =
+        write("key.json", Json{{evil, 1}}.dump(-1, ' ', false, Json::error_handler_t::replace));
     const Outcome refused = run(program + Words{"export", key, "-o", folder / "h.hpp"});
     EXPECT_EQ(refused.status, 2);
     expect_one_line(refused.errors);
