@@ -87,8 +87,8 @@ void print_text(const std::string& text) {
 
 void open_standard_streams() {
     for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-        if (fcntl(standard, F_GETFD) < 0 && errno == EBADF) [[maybe_unused]]
-            const int opened = open("/dev/null", O_RDWR); // the lowest that is free
+        if (fcntl(standard, F_GETFD) < 0 && errno == EBADF)
+            open("/dev/null", O_RDWR); // the lowest that is free
 }
 
 void check_is_not_an_input(const Path& output, const std::vector<Path>& inputs) {
