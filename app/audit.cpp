@@ -90,7 +90,7 @@ void run_audit(const AuditCommand& command) {
                        : command.format == "csv" ? to_csv
                                                  : to_table;
     if (!command.quiet || command.format != "table")
-        fmt::print("{}", print(report));
+        print_text(print(report));
     check_limits(command, report);
 }
 

@@ -42,8 +42,9 @@ struct Bench {
     void add(const Table& table) {
         std::string text = markdown(table);
         if (!command.quiet)
-            fmt::print("\n{}\n\n{}", table.title, text);
+            print_text(fmt::format("\n{}\n\n{}", table.title, text));
         std::fflush(stdout);
+        const WriteGuard guard;
         for (const Plot& plot : table.plots) {
             check_is_not_an_input(command.folder / plot.file, input.files);
             draw(table, plot, command.folder);
@@ -64,8 +65,9 @@ std::string table_names() {
 void write_report(const Bench& bench) {
     nlohmann::json inputs = nlohmann::json::array();
     for (const auto& state : bench.input.states)
-        inputs.push_back(
-            {{"name", state.name}, {"scene", state.scene}, {"particles", state.size()}});
+        inputs.push_back({{"name", printable(state.name)},
+                          {"scene", printable(state.scene)},
+                          {"particles", state.size()}});
     nlohmann::json tables = nlohmann::json::array();
     for (const Table& table : bench.tables)
         tables.push_back(to_json(table));
@@ -112,7 +114,7 @@ void run_bench(const BenchCommand& command) {
         input.states.push_back(read_fluid_state<float>(file));
     const std::string machine_text = about(bench);
     if (!command.quiet)
-        fmt::print("{}", machine_text);
+        print_text(machine_text);
     bench.write("machine.md", machine_text);
     for (const TableKind& table : compared_tables())
         if (is_wanted(command, table.name))

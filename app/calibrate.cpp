@@ -42,13 +42,14 @@ void run_calibrate(const CalibrateCommand& command) {
     }
     if (command.quiet)
         return;
-    fmt::print("{}: h kappa =", command.output.string());
+    print_text(fmt::format("{}: h kappa =", printable(command.output.string())));
     for (std::size_t term = 0; term < curvature_terms().size(); ++term)
         if (model.map.coefficients[term] != 0)
-            fmt::print(" {:+.5f} {}", model.map.coefficients[term], curvature_terms()[term]);
-    fmt::print(" ({} particles of {} clouds)\n", model.particles, model.cloud_count);
+            print_text(
+                fmt::format(" {:+.5f} {}", model.map.coefficients[term], curvature_terms()[term]));
+    print_text(fmt::format(" ({} particles of {} clouds)\n", model.particles, model.cloud_count));
     for (const std::string& line : residual_lines(model))
-        fmt::print("  {}\n", line);
+        print_text(fmt::format("  {}\n", line));
 }
 
 } // namespace

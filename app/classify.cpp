@@ -62,12 +62,12 @@ void classify_file(const Path& input, const Path& output, const Model& model,
         print_error_line("warning: " + input.string() + ": " + warning);
     warn_of_support_radius(input, snapshot, classes.valid, surface_of(snapshot));
     if (!command.quiet)
-        fmt::print("{}: {} particles in {}D, {}{}\n{}{}", output.string(), snapshot.size(),
-                   snapshot.dimension,
-                   snapshot.boundary.empty()
-                       ? ""
-                       : fmt::format("{} boundary particles, ", snapshot.boundary.size()),
-                   report.found, reading_notes(snapshot), report.note);
+        print_text(fmt::format("{}: {} particles in {}D, {}{}\n{}{}", printable(output.string()),
+                               snapshot.size(), snapshot.dimension,
+                               snapshot.boundary.empty() ? ""
+                                                         : fmt::format("{} boundary particles, ",
+                                                                       snapshot.boundary.size()),
+                               report.found, reading_notes(snapshot), report.note));
 }
 
 void run_classify(const ClassifyCommand& command) {

@@ -7,8 +7,10 @@
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/threads/threads.hpp>
 
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <limits>
 #include <map>
@@ -80,11 +82,18 @@ CLI::Range whole_numbers() {
 }
 
 void print_error_line(const std::string& message) {
-    std::string line = message;
-    for (char& c : line)
-        if (c == '\n' || c == '\r')
-            c = ' ';
-    fmt::print(stderr, "meniscus: {}\n", line);
+    // Where nobody can read it, work goes on and the exit status says the rest.
+    std::fputs(("meniscus: " + printable(message) + "\n").c_str(), stderr);
+}
+
+void print_text(const std::string& text) {
+    std::fputs(printable_lines(text).c_str(), stdout); // main() looks whether it came through
+}
+
+void open_standard_streams() {
+    for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (fcntl(standard, F_GETFD) < 0 && errno == EBADF)
+            open("/dev/null", O_RDWR); // the lowest that is free
 }
 
 namespace {
@@ -139,15 +148,19 @@ void make_writable_folder(const Path& folder) {
         throw InputError("the name of the output folder is empty; give one with -o");
     std::error_code error;
     std::filesystem::create_directories(folder, error);
+    const std::string failure =
+        fmt::format("{}: cannot create the output folder: {}", folder.string(), error.message());
+    if (error == std::errc::no_space_on_device || error == std::errc::io_error ||
+        error == std::errc::not_enough_memory)
+        throw FailureError(failure);
     if (error)
-        throw InputError(fmt::format("{}: cannot create the output folder: {}", folder.string(),
-                                     error.message()));
+        throw InputError(failure);
     if (access(folder.c_str(), W_OK) != 0)
         throw InputError(fmt::format("{}: the output folder is not writable", folder.string()));
 }
 
 ProgressBar::ProgressBar(std::string title, std::size_t total, bool quiet)
-    : title(std::move(title)), total(total), visible(!quiet && isatty(STDERR_FILENO) != 0) {}
+    : title(printable(title, 200)), total(total), visible(!quiet && isatty(STDERR_FILENO) != 0) {}
 
 ProgressBar::~ProgressBar() {
     if (shown_percent >= 0)
@@ -161,8 +174,10 @@ void ProgressBar::show(std::size_t done) {
     shown_percent = percent;
     constexpr int width = 40;
     const int filled = percent * width / 100;
-    fmt::print(stderr, "\r{} [{:=<{}}{: <{}}] {:3} %", title, "", filled, "", width - filled,
-               percent);
+    std::fputs(
+        fmt::format("\r{} [{:=<{}}{: <{}}] {:3} %", title, "", filled, "", width - filled, percent)
+            .c_str(),
+        stderr);
     std::fflush(stderr);
 }
 
@@ -181,7 +196,7 @@ void StatusLine::print(const std::string& text) {
     winsize size{};
     const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
     const std::size_t width = known ? size.ws_col - 1U : 79U;
-    fmt::print(stderr, "\r\033[K{}", text.substr(0, width));
+    std::fputs(("\r\033[K" + printable(text).substr(0, width)).c_str(), stderr);
     std::fflush(stderr);
     shown = std::chrono::steady_clock::now();
 }

@@ -49,7 +49,7 @@ void run_demo(const DemoCommand& command) {
     labelling.quiet = command.quiet;
     labelling.label.features = {feature_named(DirectionEigenvalue::name)};
     if (!command.quiet)
-        fmt::print("Labelling {} snapshots:\n", labelling.files.inputs.size());
+        print_text(fmt::format("Labelling {} snapshots:\n", labelling.files.inputs.size()));
     const auto labelled = run_label(labelling);
 
     const Model model = train_on(labelled, command.label_threshold);
@@ -66,12 +66,15 @@ void run_demo(const DemoCommand& command) {
     const AuditReport report = audit(model, labelled, options);
     if (command.quiet)
         return;
-    fmt::print("\nThe lines, of the mass offset x and the neighbor count y, and of what passes the "
-               "first:\n  {}\n  {}\n  {}\n",
-               line_text(model.line, model.features, 6),
-               line_text(model.second->line, model.second->features, 6), model_file.string());
-    fmt::print("\nAudit on the snapshots that it was trained on:\n{}", to_table(report));
-    fmt::print("\nThe header for your solver, {}:\n\n{}", header_file.string(), header);
+    print_text(fmt::format(
+        "\nThe lines, of the mass offset x and the neighbor count y, and of what passes the "
+        "first:\n  {}\n  {}\n  {}\n",
+        line_text(model.line, model.features, 6),
+        line_text(model.second->line, model.second->features, 6), printable(model_file.string())));
+    print_text(
+        fmt::format("\nAudit on the snapshots that it was trained on:\n{}", to_table(report)));
+    print_text(fmt::format("\nThe header for your solver, {}:\n\n{}",
+                           printable(header_file.string()), header));
 }
 
 } // namespace

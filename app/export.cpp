@@ -39,7 +39,8 @@ void run_export(const ExportCommand& command) {
     const WriteGuard guard;
     write_whole(command.output, header);
     if (!command.quiet)
-        fmt::print("{}: struct meniscus::{}\n", command.output.string(), name);
+        print_text(
+            fmt::format("{}: struct meniscus::{}\n", printable(command.output.string()), name));
 }
 
 } // namespace

@@ -143,9 +143,10 @@ std::string reading_notes(const Snapshot& snapshot) {
     std::string lines;
     const auto from = snapshot.provenance.find("support_radius_from");
     if (from != snapshot.provenance.end())
-        lines += fmt::format("    {}: {}\n", support_radius_text(snapshot), from->second);
+        lines +=
+            fmt::format("    {}: {}\n", support_radius_text(snapshot), printable(from->second));
     for (const std::string& note : snapshot.notes)
-        lines += fmt::format("    {}\n", note);
+        lines += fmt::format("    {}\n", printable(note));
     return lines;
 }
 

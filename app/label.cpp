@@ -52,18 +52,19 @@ void report(const Path& output, const Snapshot& snapshot, const Labels& labels,
         return;
     const auto surface = std::accumulate(labels.surface.begin(), labels.surface.end(), 0UL);
     const auto valid = std::accumulate(labels.valid.begin(), labels.valid.end(), 0UL);
-    fmt::print("{}: {} particles in {}D, {} surface, mean neighbor count {:.1f}, h = {:.2f} "
-               "spacings{}{}\n{}",
-               output.string(), snapshot.size(), snapshot.dimension, surface, mean,
-               labels.spacing_ratio,
-               snapshot.boundary.empty()
-                   ? ""
-                   : fmt::format(", {} boundary particles cover{}", snapshot.boundary.size(),
-                                 boundary_weight > 0 ? " and count" : ""),
-               valid == snapshot.size() ? ""
-                                        : fmt::format(", {} left out as not finite or too far out",
-                                                      snapshot.size() - valid),
-               reading_notes(snapshot));
+    print_text(fmt::format(
+        "{}: {} particles in {}D, {} surface, mean neighbor count {:.1f}, h = {:.2f} "
+        "spacings{}{}\n{}",
+        printable(output.string()), snapshot.size(), snapshot.dimension, surface, mean,
+        labels.spacing_ratio,
+        snapshot.boundary.empty()
+            ? ""
+            : fmt::format(", {} boundary particles cover{}", snapshot.boundary.size(),
+                          boundary_weight > 0 ? " and count" : ""),
+        valid == snapshot.size()
+            ? ""
+            : fmt::format(", {} left out as not finite or too far out", snapshot.size() - valid),
+        reading_notes(snapshot)));
 }
 
 void label_file(const Path& input, const Path& output, const Boundary& boundary,
@@ -81,7 +82,7 @@ void label_file(const Path& input, const Path& output, const Boundary& boundary,
     const auto earlier = earlier_output(output, "uncovered_fraction");
     if (is_up_to_date(earlier, snapshot)) {
         if (!command.quiet)
-            fmt::print("{}: up to date\n", output.string());
+            print_text(fmt::format("{}: up to date\n", printable(output.string())));
         return;
     }
     if (!command.files.overwrite)

@@ -45,6 +45,7 @@ int run(CLI::App& command, int argument_count, char** arguments) {
 
 int main(int argument_count, char** arguments) {
     try {
+        meniscus::open_standard_streams();
         meniscus::wait_asleep(arguments);
         meniscus::install_interrupt_handler();
         const std::string warning = meniscus::limit_threads();

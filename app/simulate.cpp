@@ -93,28 +93,31 @@ void print_warnings(const Scene& scene) {
 }
 
 void print_result(const Scene& scene, const Path& folder, const RunResult& result) {
+    const std::string shown = printable(folder.string());
     const StepSums& sums = result.profile.sums;
     if (result.finished && sums.steps == 0) {
-        fmt::print("{}: scene '{}' is finished already, {} frames; --restart starts it over\n",
-                   folder.string(), scene.name, result.frames);
+        print_text(
+            fmt::format("{}: scene '{}' is finished already, {} frames; --restart starts it over\n",
+                        shown, scene.name, result.frames));
         return;
     }
     const std::string resumed =
         result.start > 0 ? fmt::format(" from {} s on", rounded_text(result.start, 6)) : "";
     if (result.parted > 0)
-        fmt::print("{}: {} particles started more than a tenth denser than at rest, too close to "
-                   "walls or each other; they were moved apart before the first step\n",
-                   folder.string(), result.parted);
+        print_text(fmt::format(
+            "{}: {} particles started more than a tenth denser than at rest, too close to "
+            "walls or each other; they were moved apart before the first step\n",
+            shown, result.parted));
     if (result.removed > 0)
-        fmt::print("{}: {} particles left the domain and were removed\n", folder.string(),
-                   result.removed);
+        print_text(fmt::format("{}: {} particles left the domain and were removed\n", shown,
+                               result.removed));
     const std::string unconverged =
         sums.unconverged_steps > 0
             ? fmt::format(", {} of them not converged", sums.unconverged_steps)
             : "";
-    fmt::print("{}: scene '{}'{}, {} particles, {} frames, {} steps{}, {} s\n", folder.string(),
-               scene.name, resumed, result.particles, result.frames, sums.steps, unconverged,
-               rounded_text(result.time, 6));
+    print_text(fmt::format("{}: scene '{}'{}, {} particles, {} frames, {} steps{}, {} s\n", shown,
+                           scene.name, resumed, result.particles, result.frames, sums.steps,
+                           unconverged, rounded_text(result.time, 6)));
 }
 
 void check_profile(const SimulateCommand& command, const Scene& scene) {

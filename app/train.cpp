@@ -50,13 +50,13 @@ FeaturePair searched_features(const TrainCommand& command, const Model* first) {
     const auto states_of = [&](const FeaturePair& pair) { return read_states(command, pair); };
     const auto results = search_pairs(states_of, command.training.label_threshold, first);
     if (!command.quiet) {
-        fmt::print("{:<42} {:>15} {:>24} {:>16}   line\n",
-                   first == nullptr ? "features" : "features of a second line", "false positives",
-                   "candidates for a surface", "sums a neighbor");
+        print_text(fmt::format("{:<42} {:>15} {:>24} {:>16}   line\n",
+                               first == nullptr ? "features" : "features of a second line",
+                               "false positives", "candidates for a surface", "sums a neighbor"));
         for (const PairResult& one : results)
-            fmt::print("{:<42} {:>13.2f} % {:>24.2f} {:>16}   {}\n", names_of(one.features),
-                       100 * one.false_positive_rate, one.candidates, one.sums,
-                       line_text(one.line, one.features, 5));
+            print_text(fmt::format("{:<42} {:>13.2f} % {:>24.2f} {:>16}   {}\n",
+                                   names_of(one.features), 100 * one.false_positive_rate,
+                                   one.candidates, one.sums, line_text(one.line, one.features, 5)));
     }
     return results.front().features;
 }
@@ -84,19 +84,20 @@ void run_train(TrainCommand& command) {
     }
     if (command.quiet)
         return;
-    fmt::print("{}: {}{} ({}, label threshold {})\n", command.output.string(),
-               line_text(model.line, model.features, 8),
-               model.second
-                   ? "; of these " + line_text(model.second->line, model.second->features, 8)
-                   : "",
-               model.objective, model.label_threshold);
+    print_text(fmt::format(
+        "{}: {}{} ({}, label threshold {})\n", printable(command.output.string()),
+        line_text(model.line, model.features, 8),
+        model.second ? "; of these " + line_text(model.second->line, model.second->features, 8)
+                     : "",
+        printable(model.objective), model.label_threshold));
     for (const SceneErrors& scene : errors)
-        fmt::print("  {}: {} particles, {} surface, {} false negatives, {} false positives "
-                   "({:.2f} %)\n",
-                   scene.scene, scene.particles, scene.surface_particles, scene.false_negatives,
-                   scene.false_positives,
-                   100.0 * static_cast<double>(scene.false_positives) /
-                       static_cast<double>(scene.particles));
+        print_text(
+            fmt::format("  {}: {} particles, {} surface, {} false negatives, {} false positives "
+                        "({:.2f} %)\n",
+                        printable(scene.scene), scene.particles, scene.surface_particles,
+                        scene.false_negatives, scene.false_positives,
+                        100.0 * static_cast<double>(scene.false_positives) /
+                            static_cast<double>(scene.particles)));
 }
 
 std::vector<std::string> objective_names() {

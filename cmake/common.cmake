@@ -1,4 +1,5 @@
 # Compiler settings that every target of the project shares.
+include(${CMAKE_CURRENT_LIST_DIR}/hardening.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/kernel.cmake)
 
 # Warnings for our own code; -ffp-contract=off because the same input must give the same bits on
@@ -13,7 +14,8 @@ target_compile_options(meniscus_settings INTERFACE -Wall -Wextra
 # installed copy.
 function(meniscus_library name)
     add_library(${name} ${ARGN})
-    target_link_libraries(${name} PRIVATE $<BUILD_INTERFACE:meniscus_settings>)
+    target_link_libraries(${name} PRIVATE $<BUILD_INTERFACE:meniscus_settings>
+        $<BUILD_INTERFACE:meniscus_hardening>)
     target_include_directories(${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
         $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 endfunction()

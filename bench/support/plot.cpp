@@ -1,12 +1,16 @@
 #include "plot.hpp"
 
 #include <meniscus/data/text/errors.hpp>
+#include <meniscus/data/text/files.hpp>
+#include <meniscus/data/text/printable.hpp>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstdlib>
+#include <cstring>
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <fstream>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <system_error>
@@ -19,6 +23,10 @@ namespace {
 /// without the yellow that is lost on white.
 constexpr const char* colors[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                   "#56b4e9", "#e69f00", "#000000", "#999999"};
+
+// In the folder that gnuplot runs in.
+constexpr const char* script_name = "script";
+constexpr const char* plot_name = "plot.svg";
 
 struct Point {
     double x, y;
@@ -76,12 +84,20 @@ std::vector<double> values_of(const std::vector<Panel>& panels, double Point::*c
     return values;
 }
 
-/// A text between single quotes, as gnuplot has it.
+/// A text in one line between single quotes, as gnuplot has it.
 std::string quoted(const std::string& text) {
     std::string result = "'";
-    for (const char c : text)
+    for (const char c : printable(text))
         result += c == '\'' ? "''" : std::string(1, c);
     return result + "'";
+}
+
+/// The same between double quotes in a block of data, where gnuplot knows no quote inside.
+std::string data_label(const std::string& text) {
+    std::string result = "\"";
+    for (const char c : printable(text))
+        result += c == '"' ? "''" : c == '\\' ? "\\\\" : std::string(1, c);
+    return result + "\"";
 }
 
 /// How one axis is drawn.
@@ -117,7 +133,8 @@ std::string point_lines(const Series& series, const Axis& x, const Axis& y, bool
     std::string lines;
     for (const Point& point : series.points)
         if (point.is_best || !best)
-            lines += fmt::format("{} {} \"{}\"\n", x.place(point.x), y.place(point.y), point.label);
+            lines += fmt::format("{} {} {}\n", x.place(point.x), y.place(point.y),
+                                 data_label(point.label));
     return lines;
 }
 
@@ -145,8 +162,7 @@ std::string panel_script(const Panel& panel, const Plot& plot, const Axis& x, co
     return data + fmt::format("set title {}\n", quoted(panel.name)) + command + "\n";
 }
 
-std::string script_of(const Table& table, const Plot& plot, const std::vector<Panel>& panels,
-                      const std::string& output) {
+std::string script_of(const Table& table, const Plot& plot, const std::vector<Panel>& panels) {
     const auto axis_of = [&](const char* name, const std::string& key, bool logarithmic,
                              double Point::*coordinate) {
         return axis(name, table.columns[table.column(key)].heading, logarithmic,
@@ -157,7 +173,7 @@ std::string script_of(const Table& table, const Plot& plot, const std::vector<Pa
     std::string script = fmt::format(
         "set terminal svg size {},560 noenhanced font 'sans-serif,12' background rgb 'white'\n"
         "set output {}\nset grid\nset key below maxrows 4\n",
-        panels.size() < 2 ? 860 : 560 * panels.size(), quoted(output));
+        panels.size() < 2 ? 860 : 560 * panels.size(), quoted(plot_name));
     for (std::size_t k = 0; k < std::size(colors); ++k)
         script += fmt::format("set linetype {} lc rgb '{}'\n", k + 1, colors[k]);
     script += x.script + y.script;
@@ -169,12 +185,13 @@ std::string script_of(const Table& table, const Plot& plot, const std::vector<Pa
     return script + "unset multiplot\nset output\n";
 }
 
-/// Runs gnuplot with one argument; true where it succeeds.
-bool run_gnuplot(std::string argument) {
+/// Runs gnuplot in a folder with one argument; true where it succeeds.
+bool run_gnuplot(const std::filesystem::path& folder, std::string argument) {
     std::string program = "gnuplot";
     char* arguments[] = {program.data(), argument.data(), nullptr};
     posix_spawn_file_actions_t files;
     posix_spawn_file_actions_init(&files);
+    posix_spawn_file_actions_addchdir_np(&files, folder.c_str());
     posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
     pid_t process = 0;
     int status = 0;
@@ -185,19 +202,31 @@ bool run_gnuplot(std::string argument) {
     return runs;
 }
 
-/// Writes a script, runs it, and takes it away again.
-bool draw_by_script(const std::string& script, const std::filesystem::path& file) {
-    std::ofstream(file) << script;
-    const bool is_drawn = run_gnuplot(file.string());
-    std::error_code ignored;
-    std::filesystem::remove(file, ignored);
-    return is_drawn;
-}
+/// A new folder inside another one, under a name that nobody foresees; removed with what is in it.
+class WorkFolder {
+public:
+    explicit WorkFolder(const std::filesystem::path& parent) : name(parent / "plot-XXXXXX") {
+        if (mkdtemp(name.data()) == nullptr)
+            throw FailureError(parent.string() +
+                               ": no folder can be made in it: " + std::strerror(errno));
+    }
+    WorkFolder(const WorkFolder&) = delete;
+    WorkFolder& operator=(const WorkFolder&) = delete;
+    ~WorkFolder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(name, ignored);
+    }
+
+    [[nodiscard]] std::filesystem::path path() const { return name; }
+
+private:
+    std::string name;
+};
 
 } // namespace
 
 void require_gnuplot() {
-    if (!run_gnuplot("--version"))
+    if (!run_gnuplot(".", "--version"))
         throw FailureError("plots need gnuplot, which cannot be run here: install it (Debian's "
                            "package gnuplot-nox)");
 }
@@ -207,19 +236,16 @@ void draw(const Table& table, const Plot& plot, const std::filesystem::path& fol
     if (panels.empty())
         return;
     const std::filesystem::path file = folder / plot.file;
-    const std::filesystem::path partial = file.string() + ".partial";
-    const std::string script = script_of(table, plot, panels, partial.string());
+    const WorkFolder work(folder);
+    write_whole(work.path() / script_name, script_of(table, plot, panels));
     std::error_code failure;
-    if (draw_by_script(script, file.string() + ".gnuplot"))
-        std::filesystem::rename(partial, file, failure);
+    if (run_gnuplot(work.path(), script_name))
+        std::filesystem::rename(work.path() / plot_name, file, failure);
     else
         failure = std::make_error_code(std::errc::io_error);
-    if (!failure)
-        return;
-    std::error_code ignored;
-    std::filesystem::remove(partial, ignored);
-    throw FailureError(file.string() + ": could not be drawn (" + failure.message() +
-                       "); gnuplot says why above, or the folder cannot be written to");
+    if (failure)
+        throw FailureError(file.string() + ": could not be drawn (" + failure.message() +
+                           "); gnuplot says why above, or the folder cannot be written to");
 }
 
 } // namespace meniscus

@@ -1,5 +1,7 @@
 #include "table.hpp"
 
+#include <meniscus/data/text/printable.hpp>
+
 #include <algorithm>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -24,7 +26,7 @@ std::string number_text(double value, const Column& column) {
 
 std::string cell_text(const Cell& cell, const Column& column) {
     if (const auto* text = std::get_if<std::string>(&cell))
-        return *text;
+        return printable(*text);
     if (const auto* number = std::get_if<double>(&cell))
         return number_text(*number, column);
     if (const auto* time = std::get_if<RepeatedTime>(&cell))
@@ -39,7 +41,7 @@ std::string cell_text(const Cell& cell, const Column& column) {
 
 nlohmann::json cell_json(const Cell& cell) {
     if (const auto* text = std::get_if<std::string>(&cell))
-        return *text;
+        return printable(*text);
     if (const auto* number = std::get_if<double>(&cell))
         return *number;
     if (const auto* time = std::get_if<RepeatedTime>(&cell))

@@ -12,6 +12,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr std::size_t max_scene = 200; ///< bytes of a name in a table
+
 std::string percent(double fraction, int digits = 2) {
     char text[32];
     std::snprintf(text, sizeof text, "%.*f %%", digits, 100 * fraction);
@@ -80,7 +82,7 @@ std::vector<std::string> table_titles(const AuditReport& report) {
 
 std::vector<std::string> table_line(const AuditReport& report, const AuditRow& row) {
     std::vector<std::string> line = {
-        row.scene,
+        printable(row.scene, max_scene),
         is_for_model(report) ? part_of(row.files_trained_on, row.files.size())
                              : std::to_string(row.files.size()),
         std::to_string(row.particles), std::to_string(row.surface_particles),
@@ -198,7 +200,8 @@ std::string csv_number(const std::optional<double>& number) {
 /// Which particles are surface for what is judged.
 std::string judged_text(const AuditReport& report) {
     if (report.flag)
-        return "'" + report.flag->array + "' is at least " + std::to_string(report.flag->min);
+        return "'" + printable(report.flag->array, max_scene) + "' is at least " +
+               std::to_string(report.flag->min);
     if (report.detector) {
         const DetectorKind& kind = report.detector->kind;
         return kind.name + " flags (" + kind.source + ": " + kind.method + "; " + kind.quantity +
@@ -209,7 +212,7 @@ std::string judged_text(const AuditReport& report) {
     std::string text = line_text(model.line, model.features, 6);
     if (model.second)
         text += " and " + line_text(model.second->line, model.second->features, 6);
-    return text + " (" + model.objective + ")";
+    return text + " (" + printable(model.objective, max_scene) + ")";
 }
 
 /// What is judged against what.
@@ -250,7 +253,7 @@ std::string to_json(const AuditReport& report) {
     json["scenes"] = scenes;
     json["total"] = row_json(report, report.total);
     json["warnings"] = report.warnings;
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";
 }
 
 std::string to_csv(const AuditReport& report) {
@@ -266,7 +269,7 @@ std::string to_csv(const AuditReport& report) {
             "false_negative_rate_upper_95,snapshot_with_false_negatives_upper_95";
     text += report.detector ? ",threshold_that_misses_none,false_positives_then\n" : "\n";
     for (const AuditRow& row : all_rows(report)) {
-        text += quoted(row.scene);
+        text += quoted(printable(row.scene));
         std::vector<std::size_t> numbers = {row.files.size(),      row.particles,
                                             row.surface_particles, row.false_negatives,
                                             row.false_positives,   row.uncovered_false_positives};

@@ -33,7 +33,7 @@ void read_positions(const Hdf5Source& source, Snapshot& snapshot) {
 /// Fields of another shape, such as abundances of elements, are left out and said.
 void read_fields(const Hdf5Source& source, Snapshot& snapshot) {
     std::string left_out;
-    for (const std::string& name : names_in(source, group)) {
+    for (const std::string& name : array_names_in(source, group)) {
         if (name == "Coordinates")
             continue;
         const Dataset dataset = open_dataset(source, group + "/" + name);

@@ -69,7 +69,7 @@ Snapshot h5part_snapshot(const Hdf5Source& source, const ReadChoices& /*choices*
     const std::string group = "/" + last_step(source, count);
     Snapshot snapshot;
     read_positions(source, group, snapshot);
-    for (const std::string& name : names_in(source, group)) {
+    for (const std::string& name : array_names_in(source, group)) {
         if (name == "x" || name == "y" || name == "z")
             continue;
         const Dataset dataset = open_dataset(source, group + "/" + name);

@@ -18,17 +18,17 @@ std::string known_names() {
     return names;
 }
 
-Snapshot read(const fs::path& file, const ReadChoices& choices) {
+Snapshot read(const OpenedFile& file, const ReadChoices& choices) {
     const Hdf5Source source = open_source(file);
     for (const Hdf5Format& format : hdf5_formats())
         if (format.holds(source))
             return format.read(source, choices);
-    throw InputError(file.string() + ": expected a snapshot in a known format of HDF5 (" +
+    throw InputError(file.path.string() + ": expected a snapshot in a known format of HDF5 (" +
                      known_names() + "), found another HDF5 file; export it in one of these");
 }
 
 Snapshot read_hdf5(const fs::path& file, const ReadChoices& choices) {
-    return read_isolated(file, [&](const fs::path& given) { return read(given, choices); });
+    return read_isolated(file, [&](const OpenedFile& given) { return read(given, choices); });
 }
 
 } // namespace

@@ -117,7 +117,7 @@ void check_choices(const Hdf5Source& source, const Names& arrays, const ReadChoi
 }
 
 Roles roles_of(const Hdf5Source& source, const ReadChoices& choices) {
-    const Names arrays = names_in(source, "/particles");
+    const Names arrays = array_names_in(source, "/particles");
     check_choices(source, arrays, choices);
     Roles roles;
     Names unknown;
@@ -216,7 +216,7 @@ Snapshot read_array(const Hdf5Source& source, const std::string& array, bool pro
                                     tagged_particles(source, folder, particles, ghost_tag));
     if (std::holds_alternative<std::vector<float>>(empty_values(source, x)))
         state.position_precision = Precision::float32;
-    for (const std::string& name : properties ? names_in(source, folder) : Names()) {
+    for (const std::string& name : properties ? array_names_in(source, folder) : Names()) {
         std::optional<PointArray> property;
         if (name != "x" && name != "y" && name != "z" && name != "tag")
             property = read_property(source, folder, name, particles);

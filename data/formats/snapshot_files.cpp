@@ -13,6 +13,9 @@ namespace {
 
 /// What all formats have in common: names, roles of particles, and the plane.
 void settle(Snapshot& snapshot, const ReadChoices& choices) {
+    if (snapshot.point_data.size() > max_arrays)
+        throw InputError("expected at most " + std::to_string(max_arrays) + " arrays, found " +
+                         std::to_string(snapshot.point_data.size()));
     choose_particles(snapshot, choices); // by the names of the file
     use_our_names(snapshot);
     if (choices.is_boundary)

@@ -55,9 +55,19 @@ void check_grid(const Hdf5Source& source) {
     check_steps(source);
 }
 
+/// HDF5 cuts fractions off where it is asked for integers.
+void check_is_whole(const Hdf5Source& source, const Dataset& dataset) {
+    if (H5Tget_class(Handle(H5Dget_type(dataset.id), H5Tclose)) == H5T_INTEGER)
+        return;
+    for (const double number : as_doubles({"", 1, read_numbers(source, dataset)}))
+        if (number != std::floor(number))
+            fail(source, dataset.path, "whole numbers", number_text(number));
+}
+
 /// The sum over the partitions of the grid.
 std::uint64_t read_count(const Hdf5Source& source, const std::string& path) {
     const Dataset dataset = open_dataset(source, path);
+    check_is_whole(source, dataset);
     std::vector<std::int64_t> counts(value_count(dataset));
     read_into(source, dataset, number_type<std::int64_t>(), counts.data());
     std::uint64_t sum = 0;
@@ -111,7 +121,7 @@ void check_cells(const Hdf5Source& source) {
 }
 
 void read_point_data(const Hdf5Source& source, Snapshot& snapshot) {
-    for (const std::string& name : names_in(source, "/VTKHDF/PointData")) {
+    for (const std::string& name : array_names_in(source, "/VTKHDF/PointData")) {
         const Dataset dataset = open_dataset(source, "/VTKHDF/PointData/" + name);
         const Dimensions& found = dataset.dimensions;
         if (found.empty() || found.size() > 2 || found[0] != snapshot.size() ||
@@ -187,7 +197,7 @@ void read_for_meniscus(const Hdf5Source& source, Snapshot& snapshot) {
         snapshot.scene = text_dataset(source, "/meniscus/scene");
     if (exists(source, "/meniscus/boundary"))
         snapshot.boundary = read_boundary(source);
-    for (const std::string& name : names_in(source, "/meniscus/provenance"))
+    for (const std::string& name : array_names_in(source, "/meniscus/provenance"))
         snapshot.provenance[name] = text_dataset(source, "/meniscus/provenance/" + name);
 }
 
@@ -206,14 +216,14 @@ Snapshot vtkhdf_snapshot(const Hdf5Source& source, const ReadChoices& /*choices*
     return snapshot;
 }
 
-Snapshot read(const fs::path& file) {
+Snapshot read(const OpenedFile& file) {
     return vtkhdf_snapshot(open_source(file), {});
 }
 
 /// An empty snapshot, or an InputError where the file holds no VTKHDF.
-Snapshot look_into(const fs::path& file) {
+Snapshot look_into(const OpenedFile& file) {
     if (!holds_vtkhdf(open_source(file)))
-        throw InputError(file.string() + ": expected a group /VTKHDF, found none");
+        throw InputError(file.path.string() + ": expected a group /VTKHDF, found none");
     return {};
 }
 
@@ -235,6 +245,8 @@ bool is_vtkhdf(const fs::path& file) {
 }
 
 Snapshot read_vtkhdf(const fs::path& file) {
+    if (!is_hdf5(file))
+        throw InputError(file.string() + ": expected an HDF5 file, found something else");
     return read_isolated(file, read);
 }
 

@@ -1,7 +1,7 @@
 #include "hdf5_source.hpp"
 
 #include "deflate.hpp"
-#include "hdf5_signature.hpp"
+#include "descriptor_driver.hpp"
 #include <meniscus/data/text/errors.hpp>
 
 #include <zlib.h>
@@ -13,8 +13,6 @@
 namespace meniscus {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 /// Whether the product of the dimensions is at most `values`; it may exceed every integer.
 bool fits(const Dimensions& dimensions, std::uint64_t values) {
@@ -118,6 +116,35 @@ void check_claim(const Hdf5Source& source, const Dataset& dataset) {
     }
 }
 
+/// Links of a kind that leads out of the file, at any step of the path.
+void check_links(const Hdf5Source& source, const std::string& path) {
+    for (std::size_t end = 0; end < path.size();) {
+        end = std::min(path.find('/', end + 1), path.size());
+        const std::string step = path.substr(0, end);
+        H5L_info_t link;
+        if (step == "/")
+            continue;
+        if (H5Lget_info(source.file, step.c_str(), &link, H5P_DEFAULT) < 0)
+            return; // none, or a damaged one, as whoever opens it finds out
+        if (link.type != H5L_TYPE_HARD && link.type != H5L_TYPE_SOFT)
+            fail(source, step, "values in the file itself",
+                 "a link to another file; copy the values into this one (h5repack)");
+    }
+}
+
+/// Values that lie in other files.
+void check_storage(const Hdf5Source& source, const Dataset& dataset) {
+    const Handle creation(H5Dget_create_plist(dataset.id), H5Pclose);
+    if (H5Pget_layout(creation) == H5D_VIRTUAL || H5Pget_external_count(creation) > 0)
+        fail(source, dataset.path, "values in the file itself",
+             "a reference to another file; copy the values into this one (h5repack)");
+}
+
+herr_t add_name(hid_t /*group*/, const char* name, const H5L_info_t* /*link*/, void* names) {
+    static_cast<std::vector<std::string>*>(names)->emplace_back(name);
+    return 0;
+}
+
 bool same_number(hid_t a, hid_t b) {
     return H5Tget_class(a) == H5Tget_class(b) && H5Tget_size(a) == H5Tget_size(b) &&
            (H5Tget_class(a) == H5T_FLOAT || H5Tget_sign(a) == H5Tget_sign(b));
@@ -162,10 +189,7 @@ std::string read_text(hid_t stored_type, std::size_t max, Read read) {
 
 void fail(const Hdf5Source& source, const std::string& where, const std::string& expected,
           const std::string& found) {
-    std::string message = where + ": expected " + expected + ", found " + found;
-    // Names and texts of the file may be made of any bytes.
-    std::replace_if(
-        message.begin(), message.end(), [](unsigned char c) { return c < 32 || c == 127; }, '?');
+    const std::string message = where + ": expected " + expected + ", found " + found;
     throw InputError(source.path.string() + ": " + message);
 }
 
@@ -176,19 +200,21 @@ std::string shown(const Dimensions& dimensions) {
     return text;
 }
 
-Hdf5Source open_source(const fs::path& file) {
-    if (!is_hdf5(file))
-        throw InputError(file.string() + ": expected an HDF5 file, found something else");
-    Hdf5Source source{file, fs::file_size(file),
-                      Handle(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose)};
+Hdf5Source open_source(const OpenedFile& file) {
+    // Names in a file may lead nowhere else, be it to another file or to a program that decodes.
+    H5Lunregister(H5L_TYPE_EXTERNAL);
+    H5PLset_loading_state(0);
+    Hdf5Source source{file.path, file.bytes, open_descriptor(file.descriptor, file.bytes)};
     if (source.file < 0) {
-        throw InputError(file.string() + ": expected a complete HDF5 file, found one that is " +
-                         "truncated, damaged or still being written; make it again");
+        throw InputError(file.path.string() + ": expected a complete HDF5 file, found " +
+                         "something else, or one that is truncated, damaged or still being "
+                         "written; make it again");
     }
     return source;
 }
 
 bool exists(const Hdf5Source& source, const std::string& path) {
+    check_links(source, path);
     const htri_t found = H5Lexists(source.file, path.c_str(), H5P_DEFAULT);
     if (found < 0)
         fail(source, path, "a readable entry or none", "a damaged group; make the file again");
@@ -199,31 +225,33 @@ std::vector<std::string> names_in(const Hdf5Source& source, const std::string& p
     if (!exists(source, path))
         return {};
     const Handle group(H5Gopen2(source.file, path.c_str(), H5P_DEFAULT), H5Gclose);
-    H5G_info_t info{};
-    if (group < 0 || H5Gget_info(group, &info) < 0)
+    if (group < 0)
         fail(source, path, "a group", "a damaged entry");
     std::vector<std::string> names;
-    for (hsize_t i = 0; i < info.nlinks; ++i) {
-        const auto name = [&](char* text, std::size_t size) {
-            return H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, i, text, size,
-                                      H5P_DEFAULT);
-        };
-        const ssize_t length = name(nullptr, 0);
-        if (length < 0)
-            fail(source, path, "names of datasets", "damaged ones; make the file again");
-        std::string text(static_cast<std::size_t>(length), '\0');
-        name(text.data(), text.size() + 1);
-        if (!names.empty() && text <= names.back())
-            fail(source, path, "names that are sorted and differ", "'" + text + "' out of order");
-        names.push_back(std::move(text));
-    }
+    hsize_t first = 0;
+    if (H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, &first, add_name, &names) < 0)
+        fail(source, path, "names of datasets", "damaged ones; make the file again");
+    for (std::size_t i = 1; i < names.size(); ++i)
+        if (names[i] <= names[i - 1])
+            fail(source, path, "names that are sorted and differ",
+                 "'" + names[i] + "' out of order");
+    return names;
+}
+
+std::vector<std::string> array_names_in(const Hdf5Source& source, const std::string& path) {
+    std::vector<std::string> names = names_in(source, path);
+    if (names.size() > max_arrays)
+        fail(source, path, "at most " + std::to_string(max_arrays) + " arrays",
+             std::to_string(names.size()));
     return names;
 }
 
 Dataset open_dataset(const Hdf5Source& source, const std::string& path) {
+    check_links(source, path);
     Dataset dataset{path, Handle(H5Dopen2(source.file, path.c_str(), H5P_DEFAULT), H5Dclose), {}};
     if (dataset.id < 0)
         fail(source, path, "a dataset", exists(source, path) ? "a damaged entry" : "none");
+    check_storage(source, dataset);
     const Handle space(H5Dget_space(dataset.id), H5Sclose);
     const int rank = H5Sget_simple_extent_ndims(space);
     if (rank < 0 || H5Sget_simple_extent_type(space) == H5S_NULL)

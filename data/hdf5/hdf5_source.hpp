@@ -1,10 +1,12 @@
 // An open HDF5 file whose contents are not trusted: every dataset's claims are checked against the
-// bytes that the file has before memory is taken for them, and every error names the file and what
-// in it is wrong. What HDF5 itself does on damaged files no check can foresee, so all of this runs
-// in a process of its own (see isolated_read.hpp). For the sources of data/ only.
+// bytes that the file has before memory is taken for them, what would lead to other files is
+// refused, and every error names the file and what in it is wrong. What HDF5 itself does on damaged
+// files no check can foresee, so all of this runs in a process of its own (see isolated_read.hpp).
+// For the sources of data/ only.
 #pragma once
 
 #include "hdf5_handles.hpp"
+#include "isolated_read.hpp"
 #include <meniscus/data/particles/snapshot.hpp>
 
 #include <cstdint>
@@ -35,8 +37,9 @@ struct Dataset {
 /// Dimensions for a message: "26136 x 3".
 std::string shown(const Dimensions& dimensions);
 
-/// Throws InputError where the file is not a whole HDF5 file.
-Hdf5Source open_source(const std::filesystem::path& file);
+/// Throws InputError where the file is not a whole HDF5 file. To be called in a process of its own,
+/// whose HDF5 library follows no links to other files and loads no filters from then on.
+Hdf5Source open_source(const OpenedFile& file);
 
 /// Whether a group that is there has an entry of that name.
 bool exists(const Hdf5Source& source, const std::string& path);
@@ -44,7 +47,11 @@ bool exists(const Hdf5Source& source, const std::string& path);
 /// Names in a group, sorted; none where there is no such group.
 std::vector<std::string> names_in(const Hdf5Source& source, const std::string& path);
 
-/// Throws InputError where there is no such dataset, or where the file cannot hold what it claims.
+/// The same for names of arrays; throws InputError where there are more than a state has.
+std::vector<std::string> array_names_in(const Hdf5Source& source, const std::string& path);
+
+/// Throws InputError where there is no such dataset, where its values lie in another file, or where
+/// the file cannot hold what it claims.
 Dataset open_dataset(const Hdf5Source& source, const std::string& path);
 
 std::size_t value_count(const Dataset& dataset);
@@ -65,14 +72,17 @@ std::string text_dataset(const Hdf5Source& source, const std::string& path);
 /// The one text of an attribute; empty where there is none.
 std::string text_attribute(const Hdf5Source& source, const char* group, const char* name);
 
-/// The numbers of an attribute; none where there is no such attribute or where it is no number.
-/// At most `most` of them.
+/// The numbers of an attribute; none where there is no such attribute, where it is no number, or no
+/// whole one that must be. At most `max` of them.
 template <class Number>
 std::vector<Number> number_attribute(const Hdf5Source& source, const char* group, const char* name,
                                      std::size_t max) {
     const Handle attribute(H5Aopen_by_name(source.file, group, name, H5P_DEFAULT, H5P_DEFAULT),
                            H5Aclose);
     if (attribute < 0)
+        return {};
+    const Handle type(H5Aget_type(attribute), H5Tclose);
+    if (std::is_integral_v<Number> && H5Tget_class(type) != H5T_INTEGER)
         return {};
     const Handle space(H5Aget_space(attribute), H5Sclose);
     const hssize_t count = H5Sget_simple_extent_npoints(space);

@@ -1,7 +1,14 @@
 #include "isolated_read.hpp"
 
+#include "confinement.hpp"
 #include "deflate.hpp"
+#include "hdf5_turn.hpp"
+#include "snapshot_pipe.hpp"
 #include <meniscus/data/text/errors.hpp>
+#include <meniscus/data/text/files.hpp>
+#include <meniscus/data/text/text.hpp>
+
+#include <hdf5.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -34,192 +41,6 @@ constexpr bool limits_memory = false;
 #else
 constexpr bool limits_memory = true;
 #endif
-
-/// What a child has to say; the first number that it sends.
-enum Outcome : std::uint64_t { read_well, bad_input, failed, out_of_memory };
-
-/// The last number, after which nothing is missing.
-constexpr std::uint64_t end_mark = 0x6d656e6973637573;
-
-/// Thrown where the pipe brings less than it should, or what no child sends that is well.
-struct BrokenPipe {};
-
-/// The child's end. Arrays are given back to the system as soon as they are sent.
-class Sender {
-public:
-    explicit Sender(int pipe) : descriptor(pipe) {}
-
-    template <class Number>
-    void number(const Number& value) {
-        send(&value, sizeof value);
-    }
-
-    void text(const std::string& text) {
-        number(std::uint64_t{text.size()});
-        send(text.data(), text.size());
-    }
-
-    template <class Value>
-    void values(std::vector<Value>& values) {
-        number(std::uint64_t{values.size()});
-        send(values.data(), values.size() * sizeof(Value));
-        std::vector<Value>().swap(values);
-    }
-
-    template <class Entries, class Carry>
-    void list(Entries& entries, Carry carry) {
-        number(std::uint64_t{entries.size()});
-        std::for_each(entries.begin(), entries.end(), carry);
-    }
-
-private:
-    void send(const void* data, std::size_t size) const {
-        const auto* bytes = static_cast<const char*>(data);
-        while (size > 0) {
-            const ssize_t sent = write(descriptor, bytes, size);
-            if (sent >= 0) {
-                bytes += sent;
-                size -= static_cast<std::size_t>(sent);
-            } else if (errno != EINTR) {
-                _exit(1); // nobody is there to receive it
-            }
-        }
-    }
-
-    int descriptor;
-};
-
-/// The parent's end. What the child claims to send is believed as it arrives, and no more than
-/// `most` bytes of it.
-class Receiver {
-public:
-    Receiver(int pipe, std::uint64_t max) : descriptor(pipe), left(max) {}
-
-    template <class Number>
-    void number(Number& value) {
-        receive(&value, sizeof value);
-    }
-
-    void text(std::string& text) { grow(text, 1); }
-
-    template <class Value>
-    void values(std::vector<Value>& values) {
-        grow(values, sizeof(Value));
-    }
-
-    template <class Entries, class Carry>
-    void list(Entries& entries, Carry carry) {
-        std::uint64_t count = 0;
-        number(count);
-        for (std::uint64_t i = 0; i < count; ++i) {
-            entries.emplace_back();
-            carry(entries.back());
-        }
-    }
-
-private:
-    template <class Values>
-    void grow(Values& values, std::size_t value_size) {
-        std::uint64_t count = 0;
-        number(count);
-        while (values.size() < count) {
-            const std::size_t before = values.size();
-            const std::size_t max = std::max((std::size_t{1} << 20) / value_size, 4 * before);
-            values.reserve(std::min<std::uint64_t>(count, max));
-            values.resize(std::min<std::uint64_t>(count, max));
-            receive(&values[before], (values.size() - before) * value_size);
-        }
-    }
-
-    void receive(void* data, std::size_t size) {
-        if (size > left)
-            throw BrokenPipe();
-        left -= size;
-        auto* bytes = static_cast<char*>(data);
-        while (size > 0) {
-            const ssize_t received = ::read(descriptor, bytes, size);
-            if (received > 0) {
-                bytes += received;
-                size -= static_cast<std::size_t>(received);
-            } else if (received == 0 || errno != EINTR) {
-                throw BrokenPipe();
-            }
-        }
-    }
-
-    int descriptor;
-    std::uint64_t left;
-};
-
-template <class Pipe>
-void carry_optional(Pipe& pipe, std::optional<double>& value) {
-    std::uint64_t known = value ? 1 : 0;
-    double number = value.value_or(0);
-    pipe.number(known);
-    pipe.number(number);
-    if (known != 0)
-        value = number;
-}
-
-/// The values under the number of their type.
-template <std::size_t Kind = 0, class Pipe>
-void carry_values(Pipe& pipe, ArrayValues& values, std::uint64_t kind) {
-    if constexpr (Kind < std::variant_size_v<ArrayValues>) {
-        if (kind != Kind)
-            return carry_values<Kind + 1>(pipe, values, kind);
-        if (values.index() != Kind)
-            values.emplace<Kind>();
-        pipe.values(std::get<Kind>(values));
-    } else {
-        throw BrokenPipe();
-    }
-}
-
-/// One function for both ends, so that they cannot disagree.
-template <class Pipe>
-void carry(Pipe& pipe, Snapshot& snapshot) {
-    std::uint64_t is_single = snapshot.position_precision == Precision::float32 ? 1 : 0;
-    pipe.number(is_single);
-    snapshot.position_precision = is_single != 0 ? Precision::float32 : Precision::float64;
-    pipe.number(snapshot.dimension);
-    pipe.number(snapshot.dimension_is_stated);
-    carry_optional(pipe, snapshot.support_radius);
-    carry_optional(pipe, snapshot.particle_spacing);
-    carry_optional(pipe, snapshot.particle_volume);
-    carry_optional(pipe, snapshot.time);
-    pipe.text(snapshot.scene);
-    std::vector<std::pair<std::string, std::string>> texts(snapshot.provenance.begin(),
-                                                           snapshot.provenance.end());
-    pipe.list(texts, [&](auto& entry) {
-        pipe.text(entry.first);
-        pipe.text(entry.second);
-    });
-    snapshot.provenance = {texts.begin(), texts.end()};
-    pipe.list(snapshot.notes, [&](std::string& note) { pipe.text(note); });
-    pipe.values(snapshot.positions);
-    pipe.values(snapshot.boundary);
-    pipe.list(snapshot.point_data, [&](PointArray& array) {
-        pipe.text(array.name);
-        pipe.number(array.components);
-        std::uint64_t kind = array.values.index();
-        pipe.number(kind);
-        carry_values(pipe, array.values, kind);
-    });
-}
-
-/// Damage in the child's memory may have gone unnoticed.
-void check_is_consistent(const Snapshot& snapshot) {
-    bool fine = snapshot.dimension == 2 || snapshot.dimension == 3;
-    std::set<std::string_view> names;
-    for (const PointArray& array : snapshot.point_data) {
-        const std::size_t count =
-            std::visit([](const auto& values) { return values.size(); }, array.values);
-        fine = fine && array.components > 0 && names.insert(array.name).second &&
-               count == snapshot.size() * static_cast<std::size_t>(array.components);
-    }
-    if (!fine)
-        throw BrokenPipe();
-}
 
 void lower_limit(decltype(RLIMIT_CPU) resource, std::uint64_t max) {
     rlimit limit{};
@@ -256,24 +77,20 @@ void reset_signals() {
     sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
-/// The library prints what it likes, and the system what it makes of a crash; the parent says it in
-/// one line.
-void silence() {
-    const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC);
-    dup2(nowhere, STDOUT_FILENO);
-    dup2(nowhere, STDERR_FILENO);
-}
-
-void settle_in(pid_t parent, const ReadLimits& limits, std::uint64_t max_memory) {
+/// From here on the process can do nothing but read its file, calculate, and answer.
+void settle_in(pid_t parent, int file, int pipe, const ReadLimits& limits,
+               std::uint64_t max_memory) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent)
         _exit(1); // it was gone before that
     prctl(PR_SET_DUMPABLE, 0);
     reset_signals();
-    silence();
     lower_limit(RLIMIT_CPU, limits.processor_seconds);
     if (limits_memory)
         lower_limit(RLIMIT_AS, max_memory);
+    close_all_but(file, pipe);
+    clearenv();
+    allow_memory_and_open_descriptors_only();
 }
 
 void send_error(Sender& sender, Outcome outcome, const std::string& message) {
@@ -282,8 +99,10 @@ void send_error(Sender& sender, Outcome outcome, const std::string& message) {
     sender.number(end_mark);
 }
 
-void read_and_send(int pipe, const fs::path& file, const SnapshotReader& read) {
+void read_and_send(int pipe, const OpenedFile& file, const SnapshotReader& read) {
     Sender sender(pipe);
+    H5open(); // returns where its lock is free
+    sender.number(start_mark);
     try {
         Snapshot snapshot = read(file);
         sender.number(std::uint64_t{read_well});
@@ -296,13 +115,13 @@ void read_and_send(int pipe, const fs::path& file, const SnapshotReader& read) {
     } catch (const std::bad_alloc&) {
         send_error(sender, out_of_memory, "");
     } catch (const std::exception& error) {
-        send_error(sender, failed, file.string() + ": " + error.what());
+        send_error(sender, failed, file.path.string() + ": " + error.what());
     }
 }
 
 /// All that a child does. It neither returns nor throws: what the parent would do then is not for
 /// the child.
-[[noreturn]] void be_child(int pipe, const fs::path& file, const SnapshotReader& read) {
+[[noreturn]] void be_child(int pipe, const OpenedFile& file, const SnapshotReader& read) {
     try {
         read_and_send(pipe, file, read);
         _exit(0);
@@ -346,34 +165,79 @@ private:
                        ": cannot start a process to read it: " + std::strerror(errno));
 }
 
-/// Forks a child that reads, and returns the parent's end of the pipe and the child's number.
-std::pair<int, pid_t> start(const fs::path& file, const SnapshotReader& read,
-                            const ReadLimits& limits, std::uint64_t max_memory) {
-    int ends[2];
-    if (pipe2(ends, O_CLOEXEC) != 0)
+/// Both ends of a pipe above the descriptors 0 to 2, which another program may count on or close.
+std::pair<int, int> open_pipe(const fs::path& file) {
+    int low[2];
+    if (pipe2(low, O_CLOEXEC) != 0)
         fail_to_start(file);
-    fcntl(ends[1], F_SETPIPE_SZ, 1 << 20); // faster; goes without where it is refused
+    const int from = fcntl(low[0], F_DUPFD_CLOEXEC, 3);
+    const int into = fcntl(low[1], F_DUPFD_CLOEXEC, 3);
+    const int error = errno;
+    close(low[0]);
+    close(low[1]);
+    if (from < 0 || into < 0) {
+        close(from);
+        close(into);
+        errno = error;
+        fail_to_start(file);
+    }
+    fcntl(into, F_SETPIPE_SZ, 1 << 20); // faster; goes without where it is refused
+    return {from, into};
+}
+
+/// What a child is to do, and what became of starting it.
+struct Start {
+    const OpenedFile& file;
+    const SnapshotReader& read;
+    const ReadLimits& limits;
+    std::uint64_t max_memory;
+    int pipe;
+    pid_t parent = getpid();
+    pid_t child = -1;
+    int error = ENOMEM; ///< where HDF5 fails before it comes to that
+};
+
+/// The child never comes back from here.
+herr_t fork_once(hid_t /*list*/, const char* /*property*/, void* data) {
+    auto& start = *static_cast<Start*>(data);
+    start.child = fork();
+    start.error = errno;
+    if (start.child == 0) {
+        settle_in(start.parent, start.file.descriptor, start.pipe, start.limits, start.max_memory);
+        be_child(start.pipe, start.file, start.read);
+    }
+    return 1; // ends the iteration
+}
+
+/// Forks while no other thread is inside the HDF5 library, for which the child would wait for ever:
+/// HDF5 calls functions of ours, such as one for each property of a list, with its lock held, and
+/// the child's thread is then the one that holds it. A thread that comes to wait for the lock at
+/// that very moment can still leave it in a state that no child gets over: see answers().
+void fork_outside_hdf5(Start& start) {
+    const std::lock_guard<FairLock> turn(hdf5_turn());
+    int first = 0;
+    H5Piterate(H5P_FILE_ACCESS_DEFAULT, &first, fork_once, &start);
+}
+
+/// Starts a child that reads, and returns the parent's end of the pipe and the child's number.
+std::pair<int, pid_t> start(const OpenedFile& file, const SnapshotReader& read,
+                            const ReadLimits& limits, std::uint64_t max_memory) {
+    const auto [from, into] = open_pipe(file.path);
     // No signal may run the parent's handlers in the child.
     sigset_t all;
     sigset_t before;
     sigfillset(&all);
     pthread_sigmask(SIG_SETMASK, &all, &before);
-    const pid_t parent = getpid();
-    const pid_t child = fork();
-    if (child == 0) {
-        close(ends[0]);
-        settle_in(parent, limits, max_memory);
-        be_child(ends[1], file, read);
-    }
-    const int error = errno;
+    Start start{file, read, limits, max_memory, into};
+    fork_outside_hdf5(start);
     pthread_sigmask(SIG_SETMASK, &before, nullptr);
-    close(ends[1]);
-    if (child < 0) {
-        close(ends[0]);
-        errno = error;
-        fail_to_start(file);
+    close(into);
+    if (start.child < 0) {
+        close(from);
+        errno = start.error;
+        fail_to_start(file.path);
     }
-    return {ends[0], child};
+    return {from, start.child};
 }
 
 /// What a child has said.
@@ -383,9 +247,9 @@ struct Reply {
     std::string message;
 };
 
-/// Nothing where the child did not say it to the end.
-std::optional<Reply> receive_reply(int pipe, std::uint64_t max) {
-    Receiver receiver(pipe, max);
+/// Nothing where the child did not say it to the end. Throws TimeIsOver.
+std::optional<Reply> receive_reply(int pipe, const ReadLimits& limits) {
+    Receiver receiver(pipe, limits.memory_bytes, limits.wall_time);
     Reply reply;
     std::uint64_t mark = 0;
     try {
@@ -401,6 +265,19 @@ std::optional<Reply> receive_reply(int pipe, std::uint64_t max) {
         return std::nullopt;
     }
     return mark == end_mark ? std::optional(std::move(reply)) : std::nullopt;
+}
+
+/// Whether the child is at work within that time, or came to an end; false where it waits for
+/// HDF5's lock.
+bool answers(const Child& child, std::chrono::milliseconds patience) {
+    std::uint64_t mark = 0;
+    try {
+        Receiver(child.descriptor(), sizeof mark, patience).number(mark);
+    } catch (const TimeIsOver&) {
+        return false;
+    } catch (const BrokenPipe&) { // as whoever waits for it will notice
+    }
+    return true;
 }
 
 [[noreturn]] void fail_as_damaged(const fs::path& file, const std::string& how) {
@@ -422,22 +299,48 @@ std::optional<Reply> receive_reply(int pipe, std::uint64_t max) {
                               : strsignal(signal));
 }
 
-} // namespace
-
-ReadLimits limits_for(std::uint64_t file_bytes) {
-    // Four times what its bytes can hold, and a hundredth of the speed that files are read at.
-    return {(std::uint64_t{256} << 20) + 4 * max_compression * file_bytes,
-            20 + file_bytes / 250'000};
+std::optional<Reply> reply_in_time(const Child& child, const fs::path& file,
+                                   const ReadLimits& limits) {
+    try {
+        return receive_reply(child.descriptor(), limits);
+    } catch (const TimeIsOver&) {
+        const std::string seconds =
+            rounded_text(std::chrono::duration<double>(limits.wall_time).count(), 3);
+        throw FailureError(file.string() + ": reading it took more than " + seconds +
+                           " s; copy it to a disk that answers, or try again");
+    }
 }
 
-Snapshot read_isolated(const fs::path& file, const SnapshotReader& read, const ReadLimits& limits) {
-    const std::uint64_t max_memory = memory_in_use() + limits.memory_bytes;
+/// What a child has said and how it ended; nothing where it did not start to work in that time.
+struct Ending {
+    std::optional<Reply> reply;
+    int status;
+};
+
+std::optional<Ending> try_to_read(const OpenedFile& file, const SnapshotReader& read,
+                                  const ReadLimits& limits, std::uint64_t max_memory,
+                                  std::chrono::milliseconds patience) {
     const auto [pipe, process] = start(file, read, limits, max_memory);
     Child child(process, pipe);
-    std::optional<Reply> reply = receive_reply(child.descriptor(), limits.memory_bytes);
+    if (!answers(child, patience))
+        return std::nullopt;
+    std::optional<Reply> reply = reply_in_time(child, file.path, limits);
     const int status = child.wait();
+    return Ending{std::move(reply), status};
+}
+
+Snapshot read_opened(const OpenedFile& file, const SnapshotReader& read, const ReadLimits& limits) {
+    const std::uint64_t max_memory = memory_in_use() + limits.memory_bytes;
+    std::optional<Ending> ending;
+    // Each time for longer, as the machine may only be busy.
+    for (std::chrono::seconds patience(2); !ending; patience *= 2) {
+        if (patience > std::chrono::minutes(2))
+            throw FailureError(file.path.string() + ": the process to read it does not start");
+        ending = try_to_read(file, read, limits, max_memory, patience);
+    }
+    auto& [reply, status] = *ending;
     if (!reply)
-        fail_as_it_ended(file, status, limits);
+        fail_as_it_ended(file.path, status, limits);
     switch (reply->outcome) {
     case read_well:
         return std::move(reply->snapshot);
@@ -445,19 +348,35 @@ Snapshot read_isolated(const fs::path& file, const SnapshotReader& read, const R
         throw InputError(reply->message);
     case out_of_memory:
         if (limit_comes_first(max_memory)) {
-            fail_as_damaged(file, "it took more than " + std::to_string(limits.memory_bytes >> 20) +
-                                      " MiB of memory");
+            fail_as_damaged(file.path, "it took more than " +
+                                           std::to_string(limits.memory_bytes >> 20) +
+                                           " MiB of memory");
         }
-        throw FailureError(file.string() + ": not enough memory to read it");
+        throw FailureError(file.path.string() + ": not enough memory to read it");
     default:
         throw FailureError(reply->message);
     }
 }
 
+} // namespace
+
+ReadLimits limits_for(std::uint64_t file_bytes) {
+    // Four times what its bytes can hold, a hundredth of the speed that files are read at, and a
+    // machine or a network that is busy with ten times as much.
+    const std::uint64_t seconds = 20 + file_bytes / 250'000;
+    return {(std::uint64_t{256} << 20) + 4 * max_compression * file_bytes, seconds,
+            std::chrono::seconds(10 * seconds)};
+}
+
+Snapshot read_isolated(const fs::path& file, const SnapshotReader& read, const ReadLimits& limits) {
+    const Descriptor opened = open_regular_file(file);
+    return read_opened({file, opened, size_of(opened)}, read, limits);
+}
+
 Snapshot read_isolated(const fs::path& file, const SnapshotReader& read) {
-    std::error_code unknown; // whoever reads says why
-    const std::uintmax_t bytes = fs::file_size(file, unknown);
-    return read_isolated(file, read, limits_for(unknown ? 0 : bytes));
+    const Descriptor opened = open_regular_file(file);
+    const std::uint64_t bytes = size_of(opened);
+    return read_opened({file, opened, bytes}, read, limits_for(bytes));
 }
 
 } // namespace meniscus

@@ -4,8 +4,9 @@
 #include <meniscus/data/text/text.hpp>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
-#include <iterator>
 #include <set>
 #include <utility>
 
@@ -24,11 +25,11 @@ constexpr std::pair<const char*, const char*> renamed_keys[] = {
 };
 
 constexpr double max_count = 1e15;
-constexpr int deepest_nesting = 100;
+constexpr std::size_t max_text = std::size_t{64} << 20U;
 
 std::string shown(const Json& value) {
     std::string text = value.dump(-1, ' ', true, Json::error_handler_t::replace);
-    return text.size() <= 60 ? text : text.substr(0, 57) + "...";
+    return printable(text, 60);
 }
 
 bool is_number_between(const Json& value, double min, double max) {
@@ -78,9 +79,9 @@ Json parse_json(const std::string& text, const std::string& file, const std::str
     std::string key;
     std::vector<std::set<std::string>> keys_of_open_objects;
     const auto watch = [&](int depth, Json::parse_event_t event, Json& parsed) {
-        if (depth > deepest_nesting)
+        if (depth > max_nesting)
             throw InputError(file + " is not " + what + ": brackets nest more than " +
-                             std::to_string(deepest_nesting) + " deep");
+                             std::to_string(max_nesting) + " deep");
         if (event == Json::parse_event_t::object_start)
             keys_of_open_objects.emplace_back();
         if (event == Json::parse_event_t::object_end)
@@ -96,19 +97,29 @@ Json parse_json(const std::string& text, const std::string& file, const std::str
     try {
         return Json::parse(text, watch);
     } catch (const nlohmann::json::out_of_range&) {
-        throw InputError(file + ": '" + key + "' must be a finite number, found one too large");
+        throw InputError(file + ": " + quoted_text(key) +
+                         " must be a finite number, found one too large");
     } catch (const nlohmann::json::parse_error& error) {
         throw InputError(file + " is not JSON, so not " + what + ": syntax error at byte " +
                          std::to_string(error.byte) +
-                         (key.empty() ? "" : ", after key '" + key + "'"));
+                         (key.empty() ? "" : ", after key " + quoted_text(key)));
     }
 }
 
 std::string text_of_file(const std::filesystem::path& file, const std::string& expected) {
+    errno = 0;
     std::ifstream stream(file, std::ios::binary);
+    if (!stream && (errno == EMFILE || errno == ENFILE || errno == ENOMEM))
+        throw FailureError(file.string() + ": cannot be opened: " + std::strerror(errno));
     if (!stream || std::filesystem::is_directory(file))
         throw InputError(file.string() + " cannot be read; expected " + expected);
-    return {std::istreambuf_iterator<char>(stream), {}};
+    std::string text(max_text + 1, '\0'); // a device may have no end
+    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<std::size_t>(stream.gcount()));
+    if (text.size() > max_text)
+        throw InputError(file.string() + ": expected " + expected + " of at most " +
+                         std::to_string(max_text >> 20U) + " MiB, found more");
+    return text;
 }
 
 JsonReader::JsonReader(const Json& object, std::string file, std::string prefix)

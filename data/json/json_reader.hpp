@@ -15,12 +15,16 @@ namespace meniscus {
 
 using Json = nlohmann::ordered_json;
 
+/// Brackets inside one another, and objects that a key names.
+inline constexpr int max_nesting = 100;
+
 /// Parses. Throws InputError that names the file, what it should be ("a model") and the last key
 /// that was read, where the text breaks off, a number overflows, an object has a key twice, or
-/// brackets nest more than 100 deep.
+/// brackets nest more than max_nesting deep.
 Json parse_json(const std::string& text, const std::string& file, const std::string& what);
 
-/// The whole file as text. Throws InputError, with what was expected, where it cannot be read.
+/// The whole file as text. Throws InputError, with what was expected, where it cannot be read or is
+/// longer than any that people write; FailureError where the machine cannot open it.
 std::string text_of_file(const std::filesystem::path& file, const std::string& expected);
 
 /// Which of the words, of which there is at least one, takes the fewest edits (a letter put in,

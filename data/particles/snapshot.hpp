@@ -36,6 +36,9 @@ struct PointArray {
 
 enum class Precision { float32, float64 };
 
+/// More arrays than this are no state of a fluid, and a file that has them is refused.
+inline constexpr std::size_t max_arrays = 1000;
+
 struct Snapshot {
     int dimension = 3; ///< 2 or 3
     Positions positions;

@@ -84,10 +84,7 @@ std::string lowered(std::string_view text) {
 }
 
 std::string quoted_text(std::string_view text) {
-    std::string shown(text.substr(0, 60));
-    std::replace_if(
-        shown.begin(), shown.end(), [](unsigned char c) { return c < 32 || c > 126; }, '?');
-    return "'" + shown + (text.size() > 60 ? "..." : "") + "'";
+    return "'" + printable(text, 60) + "'";
 }
 
 std::optional<std::string> repeated_name(std::vector<std::string> names) {

@@ -35,8 +35,7 @@ std::errc read_number(std::string_view text, Number& value);
 /// The text with ASCII letters in lower case.
 std::string lowered(std::string_view text);
 
-/// Text of a file in quotes for a message, whatever bytes it is made of: at most 60 characters,
-/// those that cannot be shown as '?'.
+/// Text of a file in quotes for a message: printable (printable.hpp), and at most some 60 bytes.
 std::string quoted_text(std::string_view text);
 
 /// A name that occurs more than once, or nothing.
@@ -49,7 +48,7 @@ auto naming_file(const std::filesystem::path& file, Work&& work) {
         return work();
     } catch (const InputError& error) {
         const std::string message = error.what();
-        if (message.rfind(file.string(), 0) == 0)
+        if (message.rfind(printable(file.string()), 0) == 0)
             throw;
         throw InputError(file.string() + ": " + message);
     }

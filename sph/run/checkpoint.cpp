@@ -49,14 +49,21 @@ const std::string& provenance_text(const Snapshot& snapshot, const char* name) {
 
 /// Where two JSON texts first differ, and how: "/duration was 2.0, is 1.0".
 std::string first_difference(const std::string& before, const std::string& now) {
-    const auto was = nlohmann::json::parse(before, nullptr, false);
-    const auto is = nlohmann::json::parse(now, nullptr, false);
-    const auto changes = nlohmann::json::diff(was, is);
-    if (was.is_discarded() || changes.empty())
+    Json was;
+    try {
+        was = parse_json(before, "", "");
+    } catch (const InputError&) {
         return "its scene cannot be read";
-    const nlohmann::json::json_pointer place(changes[0]["path"].get<std::string>());
-    const auto shown = [&](const nlohmann::json& json) {
-        return json.contains(place) ? json[place].dump() : std::string("not there");
+    }
+    const Json is = parse_json(now, "", "");
+    const Json changes = Json::diff(was, is);
+    if (changes.empty())
+        return "its scene is written in another way";
+    const Json::json_pointer place(changes[0]["path"].get<std::string>());
+    const auto shown = [&](const Json& json) {
+        return json.contains(place)
+                   ? json[place].dump(-1, ' ', true, Json::error_handler_t::replace)
+                   : std::string("not there");
     };
     return quoted_text(place.to_string()) + " was " + quoted_text(shown(was)) + " and is " +
            quoted_text(shown(is));

@@ -57,6 +57,36 @@ double longest_step(double remaining, double usual, double rounding) {
     return one_step_is_enough || more_than_two_remain ? remaining : remaining / 2;
 }
 
+/// Whether a run can have come to where a checkpoint says: whoever changes one can give it the
+/// right sum, too.
+void check_progress(const Checkpoint& at, const FrameTimes& frame_time, const fs::path& file) {
+    const double time = at.state.time;
+    const StepSums& sums = at.since_frame;
+    const auto refuse_unless = [&](bool fine, const std::string& what) {
+        if (!fine)
+            throw InputError(file.string() + ": is damaged: no run of the scene has " + what +
+                             "; --restart starts the scene over");
+    };
+    refuse_unless(at.next_frame <= frame_time.last + 1,
+                  std::to_string(at.next_frame) + " frames behind it");
+    const double from = at.next_frame == 0 ? 0 : frame_time(at.next_frame - 1);
+    refuse_unless(time >= from - frame_time.rounding &&
+                      time <= frame_time(at.next_frame) + frame_time.rounding,
+                  "a time of " + number_text(time) + " s before frame " +
+                      std::to_string(at.next_frame));
+    refuse_unless(at.usual_step >= 0 && at.usual_step <= frame_time.duration + frame_time.rounding,
+                  "a time step of " + number_text(at.usual_step) + " s");
+    refuse_unless(sums.steps <= at.state.steps && sums.unconverged_steps <= sums.steps &&
+                      sums.time >= 0 && sums.time <= frame_time.duration + frame_time.rounding,
+                  "these sums over its steps");
+    const bool is_plain = std::all_of(at.log.begin(), at.log.end(),
+                                      [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); });
+    const auto lines = std::count(at.log.begin(), at.log.end(), '\n');
+    refuse_unless(is_plain && at.log.rfind(log_header(), 0) == 0 &&
+                      static_cast<std::uint64_t>(lines) == at.next_frame + 1,
+                  "this log");
+}
+
 struct Stage {
     const char* name;
     double StageTimes::*seconds;
@@ -172,6 +202,7 @@ private:
 
     void resume(const fs::path& file) {
         at = read_checkpoint(file, text);
+        check_progress(at, frame_time, file);
         result.start = at.state.time;
         result.particles = at.state.positions.size();
         result.finished = is_finished();

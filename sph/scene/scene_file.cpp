@@ -440,9 +440,11 @@ Json patch_of(const std::string& change) {
         throw InputError("the change " + quoted_text(change) +
                          " must be of the form key=value, such as pressure.solver=iisph");
     const std::string value = change.substr(equals + 1);
-    Json patch = Json::parse(value, nullptr, false);
-    if (patch.is_discarded())
-        patch = value;
+    if (std::count(key.begin(), key.end(), '.') > max_nesting)
+        throw InputError("the change " + quoted_text(change) + " must name a key that is there");
+    Json patch = value; // a text needs no quotes
+    if (Json::accept(value))
+        patch = parse_json(value, "the change " + quoted_text(change), "a value");
     std::size_t end = key.size();
     while (end != std::string::npos) {
         const std::size_t dot = key.rfind('.', end - 1);

@@ -75,7 +75,7 @@ TEST_F(BadInput, FilesThatAreNoSnapshots) {
     std::filesystem::create_directory(folder / "states");
     every_reader_fails(folder / "states", {"states", "folder"});
     every_reader_fails("/dev/null", {"/dev/null"});
-    every_reader_fails(write("two\nlines.vtk", "text"), {"two lines.vtk"});
+    every_reader_fails(write("two\nlines.vtk", "text"), {"two\\x0alines.vtk"});
 }
 
 TEST_F(BadInput, TruncatedLegacyVtk) {

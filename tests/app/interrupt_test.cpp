@@ -26,13 +26,21 @@ protected:
         return words;
     }
 
+    /// Whether the file is there, whole or under the name that it has before (write_whole()).
+    static bool has_begun(const Path& file) {
+        std::error_code not_there_yet;
+        for (const auto& entry :
+             std::filesystem::directory_iterator(file.parent_path(), not_there_yet))
+            if (entry.path().filename().string().rfind(file.filename().string() + ".", 0) == 0)
+                return true;
+        return std::filesystem::exists(file);
+    }
+
     /// Waits until the command has begun a file, which must be before it ends. The half-written
     /// file has its name for moments only, which a waiter may sleep through: the whole one counts.
     static void wait_for(const Path& file, pid_t process) {
-        const Path half = file.string() + ".partial";
         siginfo_t ended = {};
-        while (!std::filesystem::exists(half) && !std::filesystem::exists(file) &&
-               ended.si_pid == 0) {
+        while (!has_begun(file) && ended.si_pid == 0) {
             usleep(100);
             waitid(P_PID, static_cast<id_t>(process), &ended, WEXITED | WNOHANG | WNOWAIT);
         }
@@ -115,7 +123,7 @@ TEST_F(Interrupt, KilledRunsAreCompletedByARerun) {
     }
     std::filesystem::remove(out / "state_11.vtkhdf");
     std::filesystem::create_directory(out);
-    write("out/state_9.vtkhdf.partial", "half of a file");
+    write("out/state_9.vtkhdf.0123456789abcdef.partial", "half of a file");
     const Outcome rerun = run(label_into(out));
     EXPECT_EQ(rerun.status, 0) << rerun.errors;
     expect_mentions(rerun.output, {"state_11.vtkhdf: 512 particles"});

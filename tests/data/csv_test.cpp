@@ -207,7 +207,7 @@ TEST_F(Csv, WrongCellsAreNamed) {
     expect_mentions(message("x,y,a\n1,2,3\n1,2,b\n"), {"line 3, column 'a'", "'b'"});
     expect_mentions(message("x,y,id\n1,2,first\n"), {"line 2, column 'id'", "'first'"});
     expect_mentions(message("x,y,z\na,2,3\n"), {"line 2, column 'x'", "'a'"});
-    expect_mentions(message(std::string("x,y\n1,\0\n", 8)), {"line 2, column 'y'", "'?'"});
+    expect_mentions(message(std::string("x,y\n1,\0\n", 8)), {"line 2, column 'y'", "'\\x00'"});
 }
 
 TEST_F(Csv, OfColumnsThatMeanTheSameTheLikeliestCounts) {

@@ -233,7 +233,7 @@ TEST_F(LegacyVtkAscii, NumbersThatAreNoneAreRefused) {
     expect_mentions(field("unsigned_char", "256 1"), {"unsigned_char at index 0", "'256'"});
     expect_mentions(field("unsigned_int", "1 -1"), {"unsigned_int at index 1", "'-1'"});
     expect_mentions(field("bit", "1 2"), {"bit at index 1 of 2", "'2'"});
-    expect_mentions(field("float", std::string("1 \x01\0", 4)), {"index 1 of 2", "'\?\?'"});
+    expect_mentions(field("float", std::string("1 \x01\0", 4)), {"index 1 of 2", "'\\x01\\x00'"});
 }
 
 TEST_F(LegacyVtkAscii, ReadsPolydataWithOrWithoutVertices) {
@@ -335,7 +335,7 @@ TEST_F(LegacyVtkAscii, ManyEmptyArraysEndSoon) {
     std::string file = preamble("POLYDATA") + "POINTS 0 float\nPOINT_DATA 0\nFIELD f 100000\n";
     for (int i = 0; i < 100'000; ++i)
         file += "a" + std::to_string(i) + " 1 0 int\n";
-    EXPECT_EQ(read(file).point_data.size(), 100'000U);
+    expect_mentions(message(file), {"at most 1000 arrays", "100000"});
     expect_mentions(message(file + "FIELD g 1\na5 1 0 int\n"), {"'a5'", "second time"});
 }
 

@@ -57,13 +57,17 @@ TEST_F(SnapshotFiles, HashIsSha256) {
     EXPECT_THROW(file_hash(folder), InputError);
 }
 
+std::ptrdiff_t files_in(const fs::path& folder) {
+    return std::distance(fs::directory_iterator(folder), {});
+}
+
 TEST_F(SnapshotFiles, WritesWholeFilesOverOldOnes) {
     const fs::path file = write("out", "something old and longer");
     write_whole(file, "new");
     EXPECT_EQ(bytes_of(file), "new");
     write_whole(file, "");
     EXPECT_EQ(bytes_of(file), "");
-    EXPECT_FALSE(fs::exists(folder / "out.partial"));
+    EXPECT_EQ(files_in(folder), 1);
 }
 
 TEST_F(SnapshotFiles, RefusesFoldersThatCannotBeWrittenTo) {
@@ -100,17 +104,104 @@ TEST_F(SnapshotFiles, WhatCannotBeWrittenIsKnownBefore) {
 
 TEST_F(SnapshotFiles, TwoWritersOfOneFileDoNotMix) {
     // Another process in the middle of writing the same file.
-    const fs::path partial = write("out.partial", "half of");
+    const fs::path partial = write("out.0123456789abcdef.partial", "half of");
     const int other = open(partial.c_str(), O_WRONLY);
     ASSERT_EQ(flock(other, LOCK_EX), 0);
     expect_mentions(error_of<FailureError>([&] { write_whole(folder / "out", "bytes"); }),
                     {"out", "being written by another process"});
     EXPECT_EQ(bytes_of(partial), "half of");
-    EXPECT_FALSE(fs::exists(folder / "out"));
-    close(other); // it dies, and what it left is written over
+    EXPECT_EQ(files_in(folder), 1);
+    close(other); // it dies, and what it left is removed
     write_whole(folder / "out", "bytes");
     EXPECT_EQ(bytes_of(folder / "out"), "bytes");
-    EXPECT_FALSE(fs::exists(partial));
+    EXPECT_EQ(files_in(folder), 1);
+}
+
+TEST_F(SnapshotFiles, WritesThroughNothingThatLiesInTheWay) {
+    const fs::path precious = write("precious", "precious");
+    fs::create_symlink(precious, folder / "out.partial");
+    fs::create_symlink(precious, folder / "out.0123456789abcdef.partial");
+    fs::create_hard_link(precious, folder / "out.0123456789abcdee.partial");
+    ASSERT_EQ(mkfifo((folder / "out.0123456789abcded.partial").c_str(), 0600), 0);
+    write("out.0123456789.partial", "of another name");
+    write_whole(folder / "out", "bytes");
+    EXPECT_EQ(bytes_of(folder / "out"), "bytes");
+    EXPECT_FALSE(fs::is_symlink(folder / "out"));
+    EXPECT_EQ(bytes_of(precious), "precious");
+    EXPECT_EQ(bytes_of(folder / "out.0123456789.partial"), "of another name");
+}
+
+TEST_F(SnapshotFiles, ALinkStaysALinkAndItsTargetIsWritten) {
+    fs::create_directory(folder / "there");
+    const fs::path target = write("there/target", "old");
+    fs::create_symlink("there/second", folder / "out"); // links are relative to their folders
+    fs::create_symlink("target", folder / "there" / "second");
+    write_whole(folder / "out", "new");
+    EXPECT_EQ(bytes_of(target), "new");
+    EXPECT_TRUE(fs::is_symlink(folder / "out") && fs::is_symlink(folder / "there" / "second"));
+    fs::create_symlink("there/none", folder / "dangling");
+    write_whole(folder / "dangling", "made");
+    EXPECT_EQ(bytes_of(folder / "there" / "none"), "made");
+    fs::create_symlink("/dev/null", folder / "nowhere");
+    expect_mentions(error_of<InputError>([&] { write_whole(folder / "nowhere", "bytes"); }),
+                    {"nowhere", "device"});
+    fs::create_symlink("circle", folder / "circle");
+    EXPECT_THROW(write_whole(folder / "circle", "bytes"), InputError);
+    EXPECT_EQ(files_in(folder / "there"), 3);
+}
+
+TEST_F(SnapshotFiles, RightsStayThoseOfTheReplacedFile) {
+    const fs::path file = write("out", "old");
+    for (const fs::perms rights : {fs::perms(0600), fs::perms(0640), fs::perms(0444)}) {
+        fs::permissions(file, rights);
+        write_whole(file, "new");
+        EXPECT_EQ(fs::status(file).permissions(), rights);
+    }
+    const mode_t before = umask(027);
+    write_whole(folder / "fresh", "new");
+    umask(before);
+    EXPECT_EQ(fs::status(folder / "fresh").permissions(), fs::perms(0640));
+}
+
+TEST_F(SnapshotFiles, LongNamesCanBeWritten) {
+    const std::string name(255, 'n');
+    write_whole(folder / name, "bytes");
+    EXPECT_EQ(bytes_of(folder / name), "bytes");
+}
+
+TEST_F(SnapshotFiles, WantOfDescriptorsIsAFailure) {
+    const fs::path file = write("file", "bytes");
+    rlimit before{};
+    getrlimit(RLIMIT_NOFILE, &before);
+    const rlimit none{0, before.rlim_max};
+    setrlimit(RLIMIT_NOFILE, &none);
+    std::string reading;
+    std::string writing;
+    try {
+        read_whole(file);
+    } catch (const FailureError& error) {
+        reading = error.what();
+    }
+    try {
+        write_whole(folder / "out", "bytes");
+    } catch (const FailureError& error) {
+        writing = error.what();
+    }
+    setrlimit(RLIMIT_NOFILE, &before);
+    expect_mentions(reading, {"file", "Too many open files"});
+    expect_mentions(writing, {"out", "Too many open files"});
+}
+
+TEST_F(SnapshotFiles, MoreArraysThanAnyStateHasAreRefused) {
+    std::string header = "x,y,z";
+    std::string row = "1,2,3";
+    for (int i = 0; i < 5000; ++i) {
+        header += ",a" + std::to_string(i);
+        row += ",1";
+    }
+    const fs::path file = write("wide.csv", header + "\n" + row + "\n");
+    expect_mentions(error_of<InputError>([&] { read_snapshot(file); }),
+                    {"wide.csv", "at most 1000 arrays", "5000"});
 }
 
 TEST_F(SnapshotFiles, ManyWritersOfOneFileLeaveAWholeOne) {
@@ -131,7 +222,7 @@ TEST_F(SnapshotFiles, ManyWritersOfOneFileLeaveAWholeOne) {
         writer.join();
     EXPECT_GT(written, 0);
     EXPECT_EQ(bytes_of(file), std::string(10'000, bytes_of(file).at(0)));
-    EXPECT_FALSE(fs::exists(folder / "out.partial"));
+    EXPECT_EQ(files_in(folder), 1);
 }
 
 TEST_F(SnapshotFiles, LeavesNothingBehindWhenTheDiskIsFull) {
@@ -148,7 +239,7 @@ TEST_F(SnapshotFiles, LeavesNothingBehindWhenTheDiskIsFull) {
     std::signal(SIGXFSZ, previous);
     expect_mentions(message, {"out", "File too large"});
     EXPECT_EQ(bytes_of(file), "old");
-    EXPECT_FALSE(fs::exists(folder / "out.partial"));
+    EXPECT_EQ(files_in(folder), 1);
 }
 
 } // namespace

@@ -46,8 +46,38 @@ TEST(Text, NumbersAreReadAsTheTypeThatIsAskedFor) {
 
 TEST(Text, BytesOfFilesAreFitForMessages) {
     EXPECT_EQ(quoted_text("a b"), "'a b'");
-    EXPECT_EQ(quoted_text(std::string_view("a\n\0\xff", 4)), "'a\?\?\?'");
-    EXPECT_EQ(quoted_text(std::string(61, 'x')), "'" + std::string(60, 'x') + "...'");
+    EXPECT_EQ(quoted_text(std::string_view("a\n\0\xff", 4)), "'a\\x0a\\x00\\xff'");
+    EXPECT_EQ(quoted_text(std::string(60, 'x')), "'" + std::string(60, 'x') + "'");
+    EXPECT_EQ(quoted_text(std::string(61, 'x')).size(), 62U);
+}
+
+TEST(Text, WhatIsPrintableStays) {
+    for (const char* text : {"", "a b ~", "Öl über Wasser", "表面", "🌊", "\\x1b"})
+        EXPECT_EQ(printable(text), text);
+}
+
+TEST(Text, NothingMovesTheCursorOrForgesALine) {
+    EXPECT_EQ(printable("\x1b[31m\r\n\t\x7f"), "\\x1b[31m\\x0d\\x0a\\x09\\x7f");
+    EXPECT_EQ(printable("a\u009b2Jb"), "a\\xc2\\x9b2Jb"); // escape and [ in one
+    EXPECT_EQ(printable("a\u202eb\u2028c"), "a\\xe2\\x80\\xaeb\\xe2\\x80\\xa8c");
+    EXPECT_EQ(printable("\xff\x9b \xc0\xaf \xed\xa0\x80 \xf4\x90\x80\x80 \xe2\x82"),
+              "\\xff\\x9b \\xc0\\xaf \\xed\\xa0\\x80 \\xf4\\x90\\x80\\x80 \\xe2\\x82");
+    EXPECT_EQ(printable_lines("one\n\x1b two\n"), "one\n\\x1b two\n");
+    EXPECT_STREQ(InputError("a\nb").what(), "a\\x0ab");
+    EXPECT_STREQ(FailureError("a\x1b").what(), "a\\x1b");
+}
+
+TEST(Text, LongTextsLoseTheirMiddle) {
+    EXPECT_EQ(printable("0123456789", 10), "0123456789");
+    EXPECT_EQ(printable("0123456789a", 10), "0123...89a");
+    const std::string text = printable(std::string(300000, 'k'), 100);
+    EXPECT_EQ(text.size(), 100U);
+    EXPECT_EQ(printable(text, 100), text);
+    for (std::size_t max = 3; max < 40; ++max) { // no character is cut
+        const std::string cut = printable("äöüäöüäöüäöüäöüäöüäöüäöü", max);
+        EXPECT_LE(cut.size(), max);
+        EXPECT_EQ(printable(cut, max), cut);
+    }
 }
 
 TEST(Text, RepeatedNamesAreFound) {

@@ -3,10 +3,12 @@
 
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/sph/run/checkpoint.hpp>
+#include <meniscus/sph/run/run.hpp>
 
 #include "data/test_folder.hpp"
 
 #include <cstring>
+#include <functional>
 #include <random>
 
 namespace meniscus {
@@ -110,6 +112,47 @@ TEST_F(Checkpoints, AFlippedBitOfASmallArrayIsNoticed) {
         if (part == velocity)
             expect_mentions(message, {"SHA-256"});
     }
+}
+
+TEST_F(Checkpoints, ThoseOfDeepScenesAreNoCrash) {
+    const std::string deep = std::string(200'000, '[') + std::string(200'000, ']');
+    write_checkpoint(some_checkpoint(), scene(), deep, folder / "c.vtkhdf");
+    expect_mentions(error_of<InputError>([&] { read(folder / "c.vtkhdf"); }),
+                    {"c.vtkhdf", "another scene", "cannot be read", "--restart"});
+}
+
+TEST_F(Checkpoints, ThoseOfNoRunAreRefused) {
+    Scene runs = scene();
+    runs.name = "drop";
+    runs.frame_interval = 0.01;
+    runs.duration = 0.02;
+    RunOptions options;
+    options.folder = folder;
+    options.threads = 1;
+    const auto message = [&](const std::function<void(Checkpoint&)>& change) {
+        Checkpoint checkpoint;
+        checkpoint.state = start(runs)->state();
+        checkpoint.log = log_header();
+        change(checkpoint);
+        write_checkpoint(checkpoint, runs, scene_text(runs), checkpoint_file(runs, folder));
+        return error_of<InputError>([&] { run_scene(runs, options); });
+    };
+    const std::pair<const char*, std::function<void(Checkpoint&)>> changes[] = {
+        {"a time of", [](Checkpoint& at) { at.state.time = -1e9; }},
+        {"a time of", [](Checkpoint& at) { at.state.time = 1e9; }},
+        {"4 frames", [](Checkpoint& at) { at.next_frame = 4; }},
+        {"1000000000000000 frames", [](Checkpoint& at) { at.next_frame = 1'000'000'000'000'000; }},
+        {"a time of", [](Checkpoint& at) { at.next_frame = 2; }},
+        {"a time step of", [](Checkpoint& at) { at.usual_step = -1; }},
+        {"a time step of", [](Checkpoint& at) { at.usual_step = 1e9; }},
+        {"sums", [](Checkpoint& at) { at.since_frame.steps = 1; }},
+        {"sums", [](Checkpoint& at) { at.since_frame.unconverged_steps = 1; }},
+        {"sums", [](Checkpoint& at) { at.since_frame.time = -1; }},
+        {"log", [](Checkpoint& at) { at.log = "something else\n"; }},
+        {"log", [](Checkpoint& at) { at.log += "0,\x1b[31m\n"; }},
+        {"log", [](Checkpoint& at) { at.log += "a row of no frame\n"; }}};
+    for (const auto& [part, change] : changes)
+        expect_mentions(message(change), {"drop_checkpoint", "damaged", part, "--restart"});
 }
 
 } // namespace

@@ -1,0 +1,126 @@
+#include "descriptor_driver.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <iterator>
+#include <new>
+#include <string_view>
+#include <unistd.h>
+
+namespace meniscus {
+namespace {
+
+/// What the property list that a file is opened with tells this driver.
+struct Given {
+    int descriptor;
+    std::uint64_t bytes;
+};
+
+/// HDF5's part comes first, as it demands.
+struct OpenFile {
+    H5FD_t common;
+    Given given;
+    haddr_t end; ///< of what HDF5 has given a meaning
+};
+
+const OpenFile& ours(const H5FD_t* file) {
+    return *reinterpret_cast<const OpenFile*>(file);
+}
+
+/// The one name that is opened; names in the file are of others.
+constexpr std::string_view only_name = "the descriptor";
+
+H5FD_t* open_file(const char* name, unsigned flags, hid_t access, haddr_t /*max*/) {
+    const auto* given = static_cast<const Given*>(H5Pget_driver_info(access));
+    if (given == nullptr || name != only_name || (flags & H5F_ACC_RDWR) != 0)
+        return nullptr;
+    auto* file = new (std::nothrow) OpenFile{};
+    if (file == nullptr)
+        return nullptr;
+    file->given = *given;
+    return &file->common;
+}
+
+herr_t close_file(H5FD_t* file) {
+    delete reinterpret_cast<OpenFile*>(file);
+    return 0;
+}
+
+herr_t tell_features(const H5FD_t* /*file*/, unsigned long* features) {
+    *features = H5FD_FEAT_AGGREGATE_METADATA | H5FD_FEAT_ACCUMULATE_METADATA_READ |
+                H5FD_FEAT_DATA_SIEVE | H5FD_FEAT_AGGREGATE_SMALLDATA;
+    return 0;
+}
+
+haddr_t end_of_meaning(const H5FD_t* file, H5FD_mem_t /*type*/) {
+    return ours(file).end;
+}
+
+herr_t set_end_of_meaning(H5FD_t* file, H5FD_mem_t /*type*/, haddr_t end) {
+    reinterpret_cast<OpenFile*>(file)->end = end;
+    return 0;
+}
+
+haddr_t end_of_file(const H5FD_t* file, H5FD_mem_t /*type*/) {
+    return ours(file).given.bytes;
+}
+
+/// What lies behind the end of the file reads as zeros, as with HDF5's own driver.
+herr_t read_bytes(H5FD_t* file, H5FD_mem_t /*type*/, hid_t /*transfer*/, haddr_t address,
+                  std::size_t size, void* buffer) {
+    auto* bytes = static_cast<char*>(buffer);
+    while (size > 0) {
+        const ssize_t count =
+            pread(ours(file).given.descriptor, bytes, size, static_cast<off_t>(address));
+        if (count < 0 && errno != EINTR)
+            return -1;
+        if (count == 0) {
+            std::fill_n(bytes, size, '\0');
+            return 0;
+        }
+        if (count > 0) {
+            bytes += count;
+            address += static_cast<haddr_t>(count);
+            size -= static_cast<std::size_t>(count);
+        }
+    }
+    return 0;
+}
+
+herr_t refuse_to_write(H5FD_t* /*file*/, H5FD_mem_t /*type*/, hid_t /*transfer*/,
+                       haddr_t /*address*/, std::size_t /*size*/, const void* /*buffer*/) {
+    return -1;
+}
+
+H5FD_class_t driver() {
+    constexpr H5FD_mem_t shared_lists[] = H5FD_FLMAP_DICHOTOMY;
+    H5FD_class_t driver = {};
+    driver.name = "meniscus_descriptor";
+    driver.maxaddr = HADDR_MAX;
+    driver.fc_degree = H5F_CLOSE_WEAK;
+    driver.fapl_size = sizeof(Given);
+    driver.open = open_file;
+    driver.close = close_file;
+    driver.query = tell_features;
+    driver.get_eoa = end_of_meaning;
+    driver.set_eoa = set_end_of_meaning;
+    driver.get_eof = end_of_file;
+    driver.read = read_bytes;
+    driver.write = refuse_to_write;
+    std::copy(std::begin(shared_lists), std::end(shared_lists), driver.fl_map);
+    return driver;
+}
+
+} // namespace
+
+Handle open_descriptor(int descriptor, std::uint64_t bytes) {
+    static const H5FD_class_t kept = driver(); // HDF5 reads it as long as the driver is known
+    const Handle known(H5FDregister(&kept), H5FDunregister);
+    const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+    const Given given = {descriptor, bytes};
+    if (known < 0 || access < 0 || H5Pset_driver(access, known, &given) < 0)
+        throw std::bad_alloc();
+    return {H5Fopen(only_name.data(), H5F_ACC_RDONLY, access), H5Fclose};
+}
+
+} // namespace meniscus
