@@ -1,5 +1,8 @@
 // meniscus audit: false negatives and false positives of a model, scene by scene.
-#include "command_line.hpp"
+#include "file_batch.hpp"
+#include "input_files.hpp"
+#include "shipped_models.hpp"
+#include "usage.hpp"
 
 #include <meniscus/classifier/audit/audit.hpp>
 #include <meniscus/data/text/errors.hpp>
@@ -15,12 +18,13 @@ namespace {
 
 struct AuditCommand {
     std::vector<Path> inputs;
-    Path model;
+    Path model; ///< file or name; empty: the one that fits
     AuditOptions audit;
     std::string format = "table";
     std::optional<std::size_t> max_false_negatives;
     std::optional<double> max_false_positive_rate;
     bool quiet = false;
+    bool keep_going = false;
 };
 
 void check_limits(const AuditCommand& command, const AuditReport& report) {
@@ -37,11 +41,62 @@ void check_limits(const AuditCommand& command, const AuditReport& report) {
                 row.scene, false_positive_rate(row), *command.max_false_positive_rate));
 }
 
+struct AuditedFiles {
+    std::vector<AuditedFile> files;
+    std::optional<InputError> at_fault; ///< of others, with keep_going
+};
+
+/// Audits the files, in parallel where they are many.
+AuditedFiles audit_files(const Model& model, const std::vector<Path>& files,
+                         const AuditCommand& command) {
+    std::vector<std::optional<AuditedFile>> each(files.size());
+    const FileBatch batch = {"auditing",    "audited",         {}, command.audit.threads,
+                             command.quiet, command.keep_going};
+    AuditedFiles audited;
+    try {
+        for_each_file(files, batch, [&](std::size_t f, int threads) {
+            AuditOptions options = command.audit;
+            options.threads = threads;
+            each[f] = audit_file(model, files[f], options);
+            return FileReport{};
+        });
+    } catch (const InputError& error) {
+        if (std::none_of(each.begin(), each.end(),
+                         [](const auto& one) { return one.has_value(); }) ||
+            !command.keep_going)
+            throw;
+        audited.at_fault = error;
+    }
+    for (auto& one : each)
+        if (one)
+            audited.files.push_back(std::move(*one));
+    return audited;
+}
+
+/// The model that was asked for, else of those that ship the one for the first file.
+NamedModel model_for(const std::vector<Path>& files, const AuditCommand& command) {
+    if (!command.model.empty())
+        return named_model(command.model);
+    const LabelledState state = read_labelled_state(files.front(), command.audit.scene);
+    if (!state.spacing_ratio)
+        throw InputError(fmt::format("{}: particles have support radii of their own; say by "
+                                     "--model which one is to be audited",
+                                     files.front().string()));
+    NamedModel chosen = ModelChoice().at(state.dimension, *state.spacing_ratio);
+    if (!command.quiet && command.format == "table")
+        fmt::print("model {}, of those that ship the one for {}\n", chosen.name,
+                   range_text(chosen.model));
+    return chosen;
+}
+
 void run_audit(const AuditCommand& command) {
     if (std::isnan(command.max_false_positive_rate.value_or(0)))
         throw InputError("--max-false-positive-rate must be a number from 0 to 1, found nan");
-    const Model model = read_model(command.model);
-    const AuditReport report = audit(model, command.inputs, command.audit);
+    check_label_threshold(command.audit.label_threshold.value_or(0));
+    const std::vector<Path> files = input_files(command.inputs);
+    const Model model = model_for(files, command).model;
+    const AuditedFiles audited = audit_files(model, files, command);
+    const AuditReport report = audit_report(model, command.audit, audited.files);
     for (const std::string& warning : report.warnings)
         print_error_line("warning: " + warning);
     const auto print = command.format == "json"  ? to_json
@@ -49,6 +104,8 @@ void run_audit(const AuditCommand& command) {
                                                  : to_table;
     if (!command.quiet || command.format != "table")
         fmt::print("{}", print(report));
+    if (audited.at_fault)
+        throw *audited.at_fault;
     check_limits(command, report);
 }
 
@@ -58,12 +115,15 @@ void add_audit(CLI::App& command) {
     auto options = std::make_shared<AuditCommand>();
     auto* verb =
         command.add_subcommand("audit", "Count a model's false negatives and false positives");
-    verb->add_option("LABELLED", options->inputs, "Snapshots that `meniscus label` has written")
+    verb->add_option("LABELLED", options->inputs,
+                     fmt::format("Snapshots that `meniscus label` has written: {}", input_kinds))
         ->required();
-    verb->add_option("--model", options->model, "Model file")->required();
+    verb->add_option("--model", options->model,
+                     "Model file, or the name of one that ships (default: of these the one that "
+                     "fits the first file's dimension and h in spacings)")
+        ->type_name("FILE");
     verb->add_option("--label-threshold", options->audit.label_threshold,
-                     "Surface means an uncovered fraction above this")
-        ->capture_default_str();
+                     "Surface means an uncovered fraction above this (default: the model's own)");
     verb->add_option("--scene", options->audit.scene,
                      "Scene of all snapshots, in place of their own");
     verb->add_option("--format", options->format, "table, json or csv")
@@ -76,9 +136,15 @@ void add_audit(CLI::App& command) {
                      "Exit with status 1 where a scene's rate over all particles is above this")
         ->check(CLI::Range(0.0, 1.0));
     add_threads_option(*verb, options->audit.threads);
+    add_keep_going_option(*verb, options->keep_going);
     verb->add_flag(
         "-q,--quiet", options->quiet,
         "Print no table, only errors and warnings; json and csv are printed all the same");
+    add_examples(*verb,
+                 {{"meniscus audit labelled/ --model model.json",
+                   "false negatives and false positives of each scene"},
+                  {"meniscus audit labelled/ --model model.json --max-false-negatives 0 --quiet",
+                   "status 1 where a surface particle is missed"}});
     verb->callback([options] { run_audit(*options); });
 }
 

@@ -1,8 +1,10 @@
 // meniscus bench: speed against error, of this project and of what others use, on this machine.
+#include "input_files.hpp"
 #include "shipped_files.hpp"
 
 #include "support/plot.hpp"
 #include "support/tables.hpp"
+#include "usage.hpp"
 
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/files.hpp>
@@ -99,7 +101,7 @@ void run_bench(const BenchCommand& command) {
     TableInput& input = bench.input;
     if (command.inputs.empty() || is_wanted(command, "line"))
         input.samples = sample_snapshots();
-    input.files = command.inputs.empty() ? input.samples : command.inputs;
+    input.files = command.inputs.empty() ? input.samples : input_files(command.inputs);
     input.models = shipped_models();
     input.threads = command.threads > 0 ? command.threads : omp_get_max_threads();
     input.timing = command.timing;
@@ -142,6 +144,7 @@ void add_bench(CLI::App& command) {
         ->capture_default_str();
     add_threads_option(*verb, options->threads);
     add_quiet_option(*verb, options->quiet);
+    add_examples(*verb, {{"meniscus bench --tables line", "one table, of the samples that ship"}});
     verb->callback([options] { run_bench(*options); });
 }
 

@@ -1,5 +1,6 @@
 // meniscus calibrate: the curvature map, from clouds of known curvature.
 #include "command_line.hpp"
+#include "usage.hpp"
 
 #include <meniscus/classifier/curvature/curvature_model.hpp>
 #include <meniscus/data/text/files.hpp>
@@ -60,6 +61,9 @@ void add_calibrate(CLI::App& command) {
         ->required();
     verb->add_option("-o,--output", options->output, "Curvature model (JSON)")->required();
     add_quiet_option(*verb, options->quiet);
+    add_examples(*verb,
+                 {{"meniscus calibrate configs/curvature/solver_like_3d.json -o curvature.json",
+                   "the map that ships"}});
     verb->callback([options] { run_calibrate(*options); });
 }
 

@@ -42,6 +42,10 @@ AuditRow& row_of_scene(const std::string& scene, std::vector<AuditRow>& rows) {
     return rows.back();
 }
 
+double threshold_of(const Model& model, const AuditOptions& options) {
+    return options.label_threshold.value_or(model.label_threshold);
+}
+
 } // namespace
 
 void add_row(const AuditRow& row, AuditRow& sum) {
@@ -110,41 +114,56 @@ AuditRow audit_state(const Model& model, const Snapshot& snapshot, const Labelle
     return row;
 }
 
-AuditReport audit(const Model& model, const std::vector<std::filesystem::path>& files,
-                  const AuditOptions& options) {
-    if (files.empty())
-        throw InputError("no labelled file to audit; give at least one");
+AuditedFile audit_file(const Model& model, const std::filesystem::path& file,
+                       const AuditOptions& options) {
+    const Snapshot snapshot = read_snapshot(file);
+    LabelledState state = labelled_state(snapshot, file);
+    state.hash = file_hash(file);
+    if (!options.scene.empty())
+        state.scene = options.scene;
+    AuditedFile audited;
+    audited.row =
+        audit_state(model, snapshot, state, threshold_of(model, options), options.threads);
+    audited.use = {state.file, state.spacing_ratio, bulk_neighbor_count(state)};
+    const std::string doubt =
+        doubtful_support_radius(snapshot, support_radii(snapshot), valid_particles(snapshot, file));
+    if (!doubt.empty())
+        audited.warnings.push_back(file.string() + ": " + doubt);
+    if (audited.row.features_differ != 0)
+        audited.warnings.push_back(
+            file.string() + ": the stored neighbor counts of " +
+            std::to_string(audited.row.features_differ) +
+            " particles are not what its positions give; label it again before training");
+    return audited;
+}
+
+AuditReport audit_report(const Model& model, const AuditOptions& options,
+                         const std::vector<AuditedFile>& files) {
     AuditReport report;
     report.model = model;
-    report.label_threshold = options.label_threshold;
-    check_label_threshold(report.label_threshold);
+    report.label_threshold = threshold_of(model, options);
     report.total.scene = "all";
     std::vector<ModelUse> uses;
-    for (const auto& file : files) {
-        const Snapshot snapshot = read_snapshot(file);
-        LabelledState state = labelled_state(snapshot, file);
-        state.hash = file_hash(file);
-        if (!options.scene.empty())
-            state.scene = options.scene;
-        const AuditRow row =
-            audit_state(model, snapshot, state, report.label_threshold, options.threads);
-        add_row(row, row_of_scene(state.scene, report.scenes));
-        add_row(row, report.total);
-        uses.push_back({state.file, state.spacing_ratio, bulk_neighbor_count(state)});
-        const std::string doubt = doubtful_support_radius(snapshot, support_radii(snapshot),
-                                                          valid_particles(snapshot, file));
-        if (!doubt.empty())
-            report.warnings.push_back(file.string() + ": " + doubt);
-        if (row.features_differ != 0)
-            report.warnings.push_back(
-                file.string() + ": the stored neighbor counts of " +
-                std::to_string(row.features_differ) +
-                " particles are not what its positions give; label it again before training");
+    for (const AuditedFile& file : files) {
+        add_row(file.row, row_of_scene(file.row.scene, report.scenes));
+        add_row(file.row, report.total);
+        uses.push_back(file.use);
+        report.warnings.insert(report.warnings.end(), file.warnings.begin(), file.warnings.end());
     }
     const std::string warning = outside_trained_range(model, uses);
     if (!warning.empty())
         report.warnings.push_back(warning);
     return report;
+}
+
+AuditReport audit(const Model& model, const std::vector<std::filesystem::path>& files,
+                  const AuditOptions& options) {
+    if (files.empty())
+        throw InputError("no labelled file to audit; give at least one");
+    std::vector<AuditedFile> audited;
+    for (const auto& file : files)
+        audited.push_back(audit_file(model, file, options));
+    return audit_report(model, options, audited);
 }
 
 } // namespace meniscus

@@ -17,9 +17,10 @@
 namespace meniscus {
 
 struct AuditOptions {
-    double label_threshold = 0; ///< surface means lambda above this, whatever the model's
-    std::string scene;          ///< replaces the files' own scenes where not empty
-    int threads = 0;            ///< 0: all cores; the report does not depend on it
+    std::optional<double>
+        label_threshold; ///< surface means lambda above this; without, the model's
+    std::string scene;   ///< replaces the files' own scenes where not empty
+    int threads = 0;     ///< 0: all cores; the report does not depend on it
 };
 
 /// What the audit says of one file, of one scene, or of all. Numbers of particles throughout, valid
@@ -60,6 +61,22 @@ struct AuditReport {
 /// used.
 AuditRow audit_state(const Model& model, const Snapshot& snapshot, const LabelledState& state,
                      double label_threshold, int threads = 0);
+
+/// What the audit says of one file.
+struct AuditedFile {
+    AuditRow row;
+    ModelUse use;
+    std::vector<std::string> warnings; ///< one line each, the file's name in front
+};
+
+/// Reads and audits one labelled file, at the options' threshold or else the model's, with so many
+/// threads. Throws as audit() does. Several threads may call it at once.
+AuditedFile audit_file(const Model& model, const std::filesystem::path& file,
+                       const AuditOptions& options);
+
+/// The report on files that were audited with this model and these options, in their order.
+AuditReport audit_report(const Model& model, const AuditOptions& options,
+                         const std::vector<AuditedFile>& files);
 
 /// Audits labelled files, which are read one after the other. Throws InputError where there are no
 /// files, where a file cannot be read or was not labelled, and as audit_state does.

@@ -1,6 +1,7 @@
 #include "vtkhdf.hpp"
 
 #include <meniscus/data/hdf5/hdf5_handles.hpp>
+#include <meniscus/data/hdf5/hdf5_lock.hpp>
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/files.hpp>
 
@@ -240,6 +241,7 @@ void write_vtkhdf(const Snapshot& snapshot, const fs::path& file) {
     check_consistent(snapshot);
     std::string image;
     try {
+        const std::lock_guard alone(hdf5_lock());
         const QuietErrors quiet;
         image = file_image(snapshot, file.string() + " (in memory)");
     } catch (const std::bad_alloc&) {

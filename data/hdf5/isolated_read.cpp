@@ -1,6 +1,7 @@
 #include "isolated_read.hpp"
 
 #include "deflate.hpp"
+#include "hdf5_lock.hpp"
 #include <meniscus/data/text/errors.hpp>
 
 #include <algorithm>
@@ -349,6 +350,7 @@ private:
 /// Forks a child that reads, and returns the parent's end of the pipe and the child's number.
 std::pair<int, pid_t> start(const fs::path& file, const SnapshotReader& read,
                             const ReadLimits& limits, std::uint64_t max_memory) {
+    const std::lock_guard alone(hdf5_lock()); // nor may another child inherit this one's pipe
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0)
         fail_to_start(file);

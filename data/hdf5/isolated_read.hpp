@@ -29,8 +29,8 @@ ReadLimits limits_for(std::uint64_t file_bytes);
 /// crashes or exceeds a limit; FailureError where the machine cannot start or finish it. The child
 /// ignores the terminal's signals, prints nothing, leaves no core, and dies with its parent.
 /// Memory is not limited under AddressSanitizer, which reserves more than any limit.
-/// Not to be called while another thread is inside the HDF5 library, whose lock the child would
-/// wait for.
+/// Several threads may call it at once, while others write (hdf5_lock.hpp); not while another
+/// thread is inside the HDF5 library without that lock.
 Snapshot read_isolated(const std::filesystem::path& file, const SnapshotReader& read,
                        const ReadLimits& limits);
 
