@@ -17,7 +17,10 @@ struct CompletedOption {
 
 /// All options of a verb, those of its groups too.
 void add_options(const CLI::App& verb, std::vector<CompletedOption>& options) {
+    const bool is_group = verb.get_name().empty();
     for (const CLI::Option* option : verb.get_options({})) {
+        if (is_group && option == verb.get_help_ptr()) // which is that of the verb
+            continue;
         CompletedOption one;
         for (const std::string& name : option->get_snames())
             one.names.push_back("-" + name);

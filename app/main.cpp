@@ -71,6 +71,8 @@ int main(int argument_count, char** arguments) {
 #if MENISCUS_HAS_BENCH
         meniscus::add_bench(command);
 #endif
+        for (CLI::App* verb : command.get_subcommands({}))
+            verb->group("Verbs");
         return run(command, argument_count, arguments);
     } catch (const std::exception& error) { // what run() itself cannot report
         std::fprintf(stderr, "meniscus: %s\n", error.what());

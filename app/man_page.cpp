@@ -38,7 +38,8 @@ std::string option_entry(const CLI::App& verb, const CLI::Option& option) {
 
 void add_options(const CLI::App& verb, std::string& page) {
     for (const CLI::Option* option : verb.get_options({}))
-        page += option_entry(verb, *option);
+        if (option != verb.get_help_ptr())
+            page += option_entry(verb, *option);
     for (const CLI::App* group :
          verb.get_subcommands([](const CLI::App* one) { return one->get_name().empty(); }))
         add_options(*group, page);

@@ -78,7 +78,8 @@ public:
     std::string make_expanded(const CLI::App* group) const override {
         std::string text = '\n' + group->get_group() + ":\n";
         for (const CLI::Option* option : group->get_options({}))
-            text += make_option(option, false);
+            if (option != group->get_help_ptr()) // which is that of the verb
+                text += make_option(option, false);
         return text;
     }
 
@@ -162,7 +163,6 @@ void set_help_format(CLI::App& command) {
     command.formatter(std::make_shared<HelpFormat>());
     command.get_formatter()->label("Positionals", "Arguments");
     command.get_formatter()->label("SUBCOMMAND", "VERB");
-    command.get_formatter()->label("Subcommands", "Verbs");
 }
 
 void add_examples(CLI::App& verb,
