@@ -18,7 +18,7 @@ namespace {
 
 struct AuditCommand {
     std::vector<Path> inputs;
-    Path model; ///< file or name; empty: the one that fits
+    std::optional<std::string> model; ///< file or name; without, the one that fits
     AuditOptions audit;
     std::string format = "table";
     std::optional<std::size_t> max_false_negatives;
@@ -75,8 +75,8 @@ AuditedFiles audit_files(const Model& model, const std::vector<Path>& files,
 
 /// The model that was asked for, else of those that ship the one for the first file.
 NamedModel model_for(const std::vector<Path>& files, const AuditCommand& command) {
-    if (!command.model.empty())
-        return named_model(command.model);
+    if (command.model)
+        return named_model(*command.model);
     const LabelledState state = read_labelled_state(files.front(), command.audit.scene);
     if (!state.spacing_ratio)
         throw InputError(fmt::format("{}: particles have support radii of their own; say by "

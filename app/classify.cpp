@@ -29,7 +29,7 @@ namespace {
 struct ClassifyCommand {
     InputsAndFolder files;
     InputOptions input;
-    Path model;    ///< file or name; empty: the one that fits
+    std::optional<std::string> model; ///< file or name; without, the one that fits
     Path boundary; ///< file of boundary particles; empty: those of the input itself
     SurfaceChoices surface;
     bool skip_invalid = false;
@@ -129,10 +129,10 @@ FileReport classify_file(const Path& input, const Path& output, const Classifier
 void run_classify(const ClassifyCommand& command) {
     Classifier classifier;
     classifier.options = surface_options(command.surface);
-    if (command.model.empty())
+    if (!command.model)
         classifier.choice.emplace();
     else
-        classifier.model = named_model(command.model);
+        classifier.model = named_model(*command.model);
     InputsAndFolder files = command.files;
     files.inputs = input_files(files.inputs);
     const auto outputs = output_files(files);

@@ -91,6 +91,7 @@ Snapshot read_to_label(const Path& input, const Boundary& boundary, const LabelC
     return snapshot;
 }
 
+/// Labels one of the command's files, which are files and no patterns any more.
 FileReport label_file(const Path& input, const Path& output, const Boundary& boundary, int threads,
                       const LabelCommand& command) {
     const std::string request =
@@ -125,8 +126,9 @@ std::string check_scheme(const std::string& name) {
 
 } // namespace
 
-std::vector<Path> run_label(const LabelCommand& command) {
-    InputsAndFolder files = command.files;
+std::vector<Path> run_label(const LabelCommand& asked) {
+    LabelCommand command = asked;
+    InputsAndFolder& files = command.files;
     files.inputs = input_files(files.inputs);
     auto outputs = output_files(files);
     const Boundary boundary = read_boundary(command.boundary);

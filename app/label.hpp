@@ -95,6 +95,6 @@ struct LabelCommand {
 
 /// Labels each input into its output, leaving out those that are there already, made from the same
 /// input with the same options. Returns the outputs. Throws as for_each_file does.
-std::vector<Path> run_label(const LabelCommand& command);
+std::vector<Path> run_label(const LabelCommand& asked);
 
 } // namespace meniscus

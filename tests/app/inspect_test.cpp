@@ -76,6 +76,7 @@ TEST_F(Inspect, VerbsChooseTheModelThatFits) {
               read_vtkhdf(folder / "given" / "solid.vtkhdf").provenance.at("model_hash"));
     fail(2, {"classify", solid, "-o", folder / "no", "--model", "surface_3d_wid"},
          {"did you mean 'surface_3d_wide'?"});
+    fail(2, {"classify", solid, "-o", folder / "no", "--model", ""}, {"cannot be read", "a model"});
     const Path labelled = label(solid);
     expect_mentions(succeed({"audit", labelled}), {"model surface_3d,"});
     EXPECT_EQ(succeed({"audit", labelled, "--format", "json"}),
