@@ -1,6 +1,9 @@
 // meniscus audit: false negatives and false positives of a model, of another code's free-surface
 // detector or of its flags, scene by scene.
-#include "command_line.hpp"
+#include "file_batch.hpp"
+#include "input_files.hpp"
+#include "shipped_models.hpp"
+#include "usage.hpp"
 
 #include <meniscus/classifier/audit/audit.hpp>
 #include <meniscus/data/text/errors.hpp>
@@ -17,17 +20,17 @@ namespace {
 
 struct AuditCommand {
     std::vector<Path> inputs;
-    Path model;
+    std::optional<std::string> model; ///< file or name; without, the one that fits
     std::string detector;
     std::optional<double> detector_threshold;
     std::string flag;
     std::optional<std::int64_t> flag_min;
-    std::optional<double> label_threshold;
     AuditOptions audit;
     std::string format = "table";
     std::optional<std::size_t> max_false_negatives;
     std::optional<double> max_false_positive_rate;
     bool quiet = false;
+    bool keep_going = false;
 };
 
 void check_limits(const AuditCommand& command, const AuditReport& report) {
@@ -46,30 +49,14 @@ void check_limits(const AuditCommand& command, const AuditReport& report) {
 
 /// One thing is judged, and options of another say nothing of it.
 void check_what_is_judged(const AuditCommand& command) {
-    const int judged =
-        int(!command.model.empty()) + int(!command.detector.empty()) + int(!command.flag.empty());
-    if (judged == 0)
-        throw InputError("one of --model, --detector and --flag is required: a model file, a "
-                         "detector of another code, or the name of an array of flags");
+    const int judged = int(command.model.has_value()) + int(!command.detector.empty()) +
+                       int(!command.flag.empty());
     if (judged > 1)
         throw InputError("--model, --detector and --flag stand in each other's place; give one");
     if (command.detector_threshold && command.detector.empty())
         throw InputError("--detector-threshold is for --detector; for flags there is --flag-min");
     if (command.flag_min && command.flag.empty())
         throw InputError("--flag-min is for --flag; for detectors there is --detector-threshold");
-}
-
-AuditReport make_report(const AuditCommand& command) {
-    AuditOptions options = command.audit;
-    options.label_threshold =
-        command.label_threshold.value_or(command.model.empty() ? detector_label_threshold : 0);
-    if (!command.detector.empty())
-        return audit_detector(command.detector, command.detector_threshold, command.inputs,
-                              options);
-    if (!command.flag.empty())
-        return audit_flag({command.flag, command.flag_min.value_or(AuditedFlag{}.min)},
-                          command.inputs, options);
-    return audit(read_model(command.model), command.inputs, options);
 }
 
 std::string detector_names() {
@@ -79,11 +66,76 @@ std::string detector_names() {
     return names;
 }
 
+struct AuditedFiles {
+    std::vector<AuditedFile> files;
+    std::optional<InputError> at_fault; ///< of others, with keep_going
+};
+
+/// Audits the files, in parallel where they are many.
+AuditedFiles audit_files(const Model& model, const std::vector<Path>& files,
+                         const AuditCommand& command) {
+    std::vector<std::optional<AuditedFile>> each(files.size());
+    const FileBatch batch = {"auditing",    "audited",         {}, command.audit.threads,
+                             command.quiet, command.keep_going};
+    AuditedFiles audited;
+    try {
+        for_each_file(files, batch, [&](std::size_t f, int threads) {
+            AuditOptions options = command.audit;
+            options.threads = threads;
+            each[f] = audit_file(model, files[f], options);
+            return FileReport{};
+        });
+    } catch (const InputError& error) {
+        if (std::none_of(each.begin(), each.end(),
+                         [](const auto& one) { return one.has_value(); }) ||
+            !command.keep_going)
+            throw;
+        audited.at_fault = error;
+    }
+    for (auto& one : each)
+        if (one)
+            audited.files.push_back(std::move(*one));
+    return audited;
+}
+
+/// The model that was asked for, else of those that ship the one for the first file.
+NamedModel model_for(const std::vector<Path>& files, const AuditCommand& command) {
+    if (command.model)
+        return named_model(*command.model);
+    const LabelledState state = read_labelled_state(files.front(), command.audit.scene);
+    if (!state.spacing_ratio)
+        throw InputError(fmt::format("{}: particles have support radii of their own; say by "
+                                     "--model which one is to be audited",
+                                     files.front().string()));
+    NamedModel chosen = ModelChoice().at(state.dimension, *state.spacing_ratio);
+    if (!command.quiet && command.format == "table")
+        print_text(fmt::format("model {}, of those that ship the one for {}\n", chosen.name,
+                               range_text(chosen.model)));
+    return chosen;
+}
+
+/// Judges what the command says; `at_fault`: what stops none of the others.
+AuditReport make_report(const std::vector<Path>& files, const AuditCommand& command,
+                        std::optional<InputError>& at_fault) {
+    if (!command.detector.empty())
+        return audit_detector(command.detector, command.detector_threshold, files, command.audit);
+    if (!command.flag.empty())
+        return audit_flag({command.flag, command.flag_min.value_or(AuditedFlag{}.min)}, files,
+                          command.audit);
+    const Model model = model_for(files, command).model;
+    AuditedFiles audited = audit_files(model, files, command);
+    at_fault = audited.at_fault;
+    return audit_report(model, command.audit, audited.files);
+}
+
 void run_audit(const AuditCommand& command) {
     check_what_is_judged(command);
     if (std::isnan(command.max_false_positive_rate.value_or(0)))
         throw InputError("--max-false-positive-rate must be a number from 0 to 1, found nan");
-    const AuditReport report = make_report(command);
+    check_label_threshold(command.audit.label_threshold.value_or(0));
+    const std::vector<Path> files = input_files(command.inputs);
+    std::optional<InputError> at_fault;
+    const AuditReport report = make_report(files, command, at_fault);
     for (const std::string& warning : report.warnings)
         print_error_line("warning: " + warning);
     const auto print = command.format == "json"  ? to_json
@@ -91,6 +143,8 @@ void run_audit(const AuditCommand& command) {
                                                  : to_table;
     if (!command.quiet || command.format != "table")
         print_text(print(report));
+    if (at_fault)
+        throw *at_fault;
     check_limits(command, report);
 }
 
@@ -99,21 +153,26 @@ void run_audit(const AuditCommand& command) {
 void add_audit(CLI::App& command) {
     auto options = std::make_shared<AuditCommand>();
     auto* verb = command.add_subcommand("audit", "Count false negatives and false positives");
-    verb->add_option("LABELLED", options->inputs, "Snapshots that `meniscus label` has written")
+    verb->add_option("LABELLED", options->inputs,
+                     fmt::format("Snapshots that `meniscus label` has written: {}", input_kinds))
         ->required();
-    verb->add_option("--model", options->model, "Model file");
+    verb->add_option("--model", options->model,
+                     "Model file, or the name of one that ships (default: of these the one that "
+                     "fits the first file's dimension and h in spacings)")
+        ->type_name("FILE");
     verb->add_option("--detector", options->detector,
                      "In place of a model, the free-surface detector of another code: " +
                          detector_names());
     verb->add_option("--detector-threshold", options->detector_threshold,
-                     "Its threshold, in the code's own quantity; default: its authors'");
+                     "Its threshold, in the code's own quantity (default: its authors')");
     verb->add_option("--flag", options->flag,
                      "In place of a model, an array of flags that the snapshots have");
     verb->add_option("--flag-min", options->flag_min,
                      "A flag of at least this is surface (default 1; 2 for DualSPHysics' FSType)");
-    verb->add_option("--label-threshold", options->label_threshold,
-                     "Surface means an uncovered fraction above this; default: 0 for a model, "
-                     "0.02 for a detector or flags");
+    verb->add_option("--label-threshold", options->audit.label_threshold,
+                     fmt::format("Surface means an uncovered fraction above this (default: the "
+                                 "model's own; for a detector or flags {})",
+                                 detector_label_threshold));
     verb->add_option("--scene", options->audit.scene,
                      "Scene of all snapshots, in place of their own");
     verb->add_option("--format", options->format, "table, json or csv")
@@ -126,9 +185,15 @@ void add_audit(CLI::App& command) {
                      "Exit with status 1 where a scene's rate over all particles is above this")
         ->check(CLI::Range(0.0, 1.0));
     add_threads_option(*verb, options->audit.threads);
+    add_keep_going_option(*verb, options->keep_going);
     verb->add_flag(
         "-q,--quiet", options->quiet,
         "Print no table, only errors and warnings; json and csv are printed all the same");
+    add_examples(*verb,
+                 {{"meniscus audit labelled/ --model model.json",
+                   "false negatives and false positives of each scene"},
+                  {"meniscus audit labelled/ --model model.json --max-false-negatives 0 --quiet",
+                   "status 1 where a surface particle is missed"}});
     verb->callback([options] { run_audit(*options); });
 }
 

@@ -1,8 +1,10 @@
 // meniscus bench: speed against error, of this project and of what others use, on this machine.
+#include "input_files.hpp"
 #include "shipped_files.hpp"
 
 #include "support/plot.hpp"
 #include "support/tables.hpp"
+#include "usage.hpp"
 
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/files.hpp>
@@ -106,7 +108,7 @@ void run_bench(const BenchCommand& command) {
     TableInput& input = bench.input;
     if (command.inputs.empty() || is_wanted(command, "line"))
         input.samples = sample_snapshots();
-    input.files = command.inputs.empty() ? input.samples : command.inputs;
+    input.files = command.inputs.empty() ? input.samples : input_files(command.inputs);
     input.models = shipped_models();
     input.threads = thread_count(command.threads);
     input.timing = command.timing;
@@ -149,6 +151,7 @@ void add_bench(CLI::App& command) {
         ->capture_default_str();
     add_threads_option(*verb, options->threads);
     add_quiet_option(*verb, options->quiet);
+    add_examples(*verb, {{"meniscus bench --tables line", "one table, of the samples that ship"}});
     verb->callback([options] { run_bench(*options); });
 }
 

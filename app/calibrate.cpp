@@ -1,6 +1,7 @@
 // meniscus calibrate: the curvature map, from clouds of known curvature.
 #include "command_line.hpp"
 #include "threads.hpp"
+#include "usage.hpp"
 
 #include <meniscus/classifier/curvature/curvature_model.hpp>
 #include <meniscus/data/text/files.hpp>
@@ -63,6 +64,9 @@ void add_calibrate(CLI::App& command) {
         ->required();
     verb->add_option("-o,--output", options->output, "Curvature model (JSON)")->required();
     add_quiet_option(*verb, options->quiet);
+    add_examples(*verb,
+                 {{"meniscus calibrate configs/curvature/solver_like_3d.json -o curvature.json",
+                   "the map that ships"}});
     verb->callback([options] { run_calibrate(*options); });
 }
 

@@ -1,18 +1,27 @@
 // meniscus classify: the runtime on files. Writes what a solver that uses the model would see.
+#include "file_batch.hpp"
+#include "input_files.hpp"
 #include "label.hpp"
+#include "shipped_models.hpp"
 #include "surface_tension.hpp"
+#include "usage.hpp"
 
 #include <meniscus/classifier/audit/audit.hpp>
 #include <meniscus/classifier/model/classify_snapshot.hpp>
 #include <meniscus/data/formats/vtkhdf.hpp>
+#include <meniscus/data/particles/particle_arrays.hpp>
+#include <meniscus/data/particles/particle_volumes.hpp>
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/files.hpp>
 #include <meniscus/data/text/text.hpp>
 #include <meniscus/runtime/surface/surface_particles.hpp>
 #include <meniscus/runtime/version.hpp>
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <memory>
+#include <optional>
+#include <utility>
 
 namespace meniscus {
 namespace {
@@ -20,12 +29,13 @@ namespace {
 struct ClassifyCommand {
     InputsAndFolder files;
     InputOptions input;
-    Path model;
+    std::optional<std::string> model; ///< file or name; without, the one that fits
     Path boundary; ///< file of boundary particles; empty: those of the input itself
     SurfaceChoices surface;
     bool skip_invalid = false;
     int threads = 0;
     bool quiet = false;
+    bool keep_going = false;
 };
 
 /// 1 for each particle that add_surface() has found to be surface.
@@ -36,52 +46,108 @@ std::vector<std::uint8_t> surface_of(const Snapshot& snapshot) {
     return surface;
 }
 
-void classify_file(const Path& input, const Path& output, const Model& model,
-                   const std::string& model_hash, const Boundary& boundary,
-                   const SurfaceTensionOptions& options, const ClassifyCommand& command) {
+/// What is the same for all inputs.
+struct Classifier {
+    std::optional<NamedModel> model;   ///< the one that was given, or
+    std::optional<ModelChoice> choice; ///< those that each input's is chosen from
+    SurfaceTensionOptions options;
+    Boundary boundary;
+};
+
+/// The model for a snapshot, and what there is to note of it.
+std::pair<const NamedModel&, std::string>
+model_for(const Classifier& classifier, const Snapshot& snapshot, bool skip_invalid, int threads) {
+    if (classifier.model)
+        return {*classifier.model, ""};
+    const SupportRadii radii = support_radii(snapshot);
+    const auto valid = checked_positions(snapshot, radii, skip_invalid);
+    const double ratio = measured_spacing_ratio(snapshot, radii, valid, threads);
+    const NamedModel& chosen = classifier.choice->at(snapshot.dimension, ratio);
+    return {chosen, fmt::format("    model {}, of those that ship the one for {}\n", chosen.name,
+                                range_text(chosen.model))};
+}
+
+FileReport report_of(const Path& input, const Path& output, const Snapshot& snapshot,
+                     const Classes& classes, const SurfaceReport& found) {
+    FileReport report;
+    for (const std::string& warning : classes.warnings)
+        report.warnings.push_back(input.string() + ": " + warning);
+    const auto surface = surface_of(snapshot);
+    if (const auto doubt = support_radius_warning(input, snapshot, classes.valid, surface))
+        report.warnings.push_back(*doubt);
+    report.counts = {
+        snapshot.size(),
+        static_cast<std::size_t>(std::count(classes.surface.begin(), classes.surface.end(), 1)),
+        static_cast<std::size_t>(std::count(surface.begin(), surface.end(), 1))};
+    report.text = fmt::format("{}: {} particles in {}D, {}{}\n{}{}", printable(output.string()),
+                              snapshot.size(), snapshot.dimension,
+                              snapshot.boundary.empty() ? ""
+                                                        : fmt::format("{} boundary particles, ",
+                                                                      snapshot.boundary.size()),
+                              found.found, reading_notes(snapshot), found.note);
+    return report;
+}
+
+/// All that the command adds to an input and its options.
+std::vector<std::string> request_words(const ClassifyCommand& command,
+                                       const Classifier& classifier) {
+    std::vector<std::string> words = {classifier.model ? classifier.model->hash
+                                                       : classifier.choice->hash(),
+                                      command.skip_invalid ? "skip invalid" : "",
+                                      command.surface.balance_momentum ? "balance momentum" : ""};
+    for (const auto& [name, value] : surface_option_texts(classifier.options))
+        words.push_back(name + '=' + value);
+    return words;
+}
+
+FileReport classify_file(const Path& input, const Path& output, const Classifier& classifier,
+                         int threads, const ClassifyCommand& command) {
+    const std::string request = request_of("classify", input, command.input, classifier.boundary,
+                                           request_words(command, classifier));
+    const auto earlier = earlier_output(output, "predicted_surface");
+    if (is_up_to_date(earlier, request))
+        return {{}, printable(output.string()) + ": up to date\n", true, {}};
     Snapshot snapshot = read_input(input, command.input);
-    set_boundary(snapshot, boundary);
+    set_boundary(snapshot, classifier.boundary);
     set_periodic(snapshot, command.input);
     set_input_provenance(snapshot, input);
-    const auto earlier = earlier_output(output, "predicted_surface");
     if (!command.files.overwrite)
         check_made_from_same(output, earlier, snapshot);
+    const auto [chosen, note] = model_for(classifier, snapshot, command.skip_invalid, threads);
     const Classes classes =
-        classify_snapshot(snapshot, model, {command.skip_invalid, command.threads});
-    set_array(snapshot, {"predicted_surface", 1, classes.surface});
-    set_array(snapshot, {"valid", 1, classes.valid});
-    const SurfaceReport report = add_surface(snapshot, classes, model, options,
-                                             command.surface.balance_momentum, command.threads);
+        classify_snapshot(snapshot, chosen.model, {command.skip_invalid, threads});
+    set_array(snapshot, {"predicted_surface", 1, stored_classes(classes.surface)});
+    set_array(snapshot, {"valid", 1, stored_classes(classes.valid)});
+    SurfaceReport found = add_surface(snapshot, classes, chosen.model, classifier.options,
+                                      command.surface.balance_momentum, threads);
+    found.note += note;
     snapshot.provenance["program"] = std::string("meniscus ") + program_version;
-    snapshot.provenance["model_hash"] = model_hash;
-    {
-        const WriteGuard guard;
-        write_vtkhdf(snapshot, output);
-    }
-    for (const std::string& warning : classes.warnings)
-        print_error_line("warning: " + input.string() + ": " + warning);
-    warn_of_support_radius(input, snapshot, classes.valid, surface_of(snapshot));
-    if (!command.quiet)
-        print_text(fmt::format("{}: {} particles in {}D, {}{}\n{}{}", printable(output.string()),
-                               snapshot.size(), snapshot.dimension,
-                               snapshot.boundary.empty() ? ""
-                                                         : fmt::format("{} boundary particles, ",
-                                                                       snapshot.boundary.size()),
-                               report.found, reading_notes(snapshot), report.note));
+    snapshot.provenance["model_hash"] = chosen.hash;
+    snapshot.provenance["request"] = request;
+    const WriteGuard guard;
+    write_vtkhdf(snapshot, output);
+    return report_of(input, output, snapshot, classes, found);
 }
 
 void run_classify(const ClassifyCommand& command) {
-    const SurfaceTensionOptions options = surface_options(command.surface);
-    const Model model = read_model(command.model);
-    const std::string model_hash = file_hash(command.model);
-    const auto outputs = output_files(command.files, {command.model, command.boundary});
-    const Boundary boundary = read_boundary(command.boundary);
-    make_writable_folder(command.files.folder);
-    for (std::size_t f = 0; f < outputs.size(); ++f)
-        naming_file(command.files.inputs[f], [&] {
-            classify_file(command.files.inputs[f], outputs[f], model, model_hash, boundary, options,
-                          command);
+    Classifier classifier;
+    classifier.options = surface_options(command.surface);
+    if (!command.model)
+        classifier.choice.emplace();
+    else
+        classifier.model = named_model(*command.model);
+    InputsAndFolder files = command.files;
+    files.inputs = input_files(files.inputs);
+    const auto outputs = output_files(files, {command.model.value_or(""), command.boundary});
+    classifier.boundary = read_boundary(command.boundary);
+    make_writable_folder(files.folder);
+    const FileBatch batch = {"classifying",   "classified",  {"particles", "candidates", "surface"},
+                             command.threads, command.quiet, command.keep_going};
+    write_for_each_file(files.inputs, outputs, batch, [&](std::size_t f, int threads) {
+        return naming_file(files.inputs[f], [&] {
+            return classify_file(files.inputs[f], outputs[f], classifier, threads, command);
         });
+    });
 }
 
 } // namespace
@@ -93,9 +159,13 @@ void add_classify(CLI::App& command) {
         "Apply a model to snapshots, as a solver would: class of each particle, and normal, "
         "curvature and force of those at the surface");
     verb->add_option("INPUT", options->files.inputs, "Snapshots, as for label")->required();
-    verb->add_option("--model", options->model, "Model file")->required();
+    verb->add_option("--model", options->model,
+                     "Model file, or the name of one that ships (default: of these the one that "
+                     "fits each input's dimension and h in spacings; see meniscus models)")
+        ->type_name("FILE");
     verb->add_option("-o,--output", options->files.folder,
                      "Folder for the classified snapshots, DIR/<stem of INPUT>.vtkhdf")
+        ->type_name("DIR")
         ->required();
     add_overwrite_option(*verb, options->files);
     add_input_options(*verb, options->input);
@@ -108,7 +178,13 @@ void add_classify(CLI::App& command) {
         "out for its number type");
     add_surface_options(*verb, options->surface);
     add_threads_option(*verb, options->threads);
+    add_keep_going_option(*verb, options->keep_going);
     add_quiet_option(*verb, options->quiet);
+    add_examples(
+        *verb,
+        {{"meniscus classify out/ -o classified --support-radius 0.1", "by the model that fits"},
+         {"meniscus classify dam_7.vtk -o classified --model model.json --surface-tension 0.072",
+          "by a model of your own, with forces for sigma in N/m"}});
     verb->callback([options] { run_classify(*options); });
 }
 

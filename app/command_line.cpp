@@ -7,6 +7,7 @@
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/threads/threads.hpp>
 
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -21,7 +22,7 @@
 namespace meniscus {
 namespace {
 
-volatile std::sig_atomic_t writing = 0;
+std::atomic<int> writing{0}; ///< guards that live, of all threads
 volatile std::sig_atomic_t interrupt_waits = 0;
 
 [[noreturn]] void end_interrupted() {
@@ -51,12 +52,11 @@ void install_interrupt_handler() {
 }
 
 WriteGuard::WriteGuard() {
-    writing = 1;
+    ++writing;
 }
 
 WriteGuard::~WriteGuard() {
-    writing = 0;
-    if (interrupt_waits != 0)
+    if (--writing == 0 && interrupt_waits != 0)
         end_interrupted();
 }
 
@@ -160,45 +160,59 @@ void make_writable_folder(const Path& folder) {
 }
 
 ProgressBar::ProgressBar(std::string title, std::size_t total, bool quiet)
-    : title(printable(title, 200)), total(total), visible(!quiet && isatty(STDERR_FILENO) != 0) {}
-
-ProgressBar::~ProgressBar() {
-    if (shown_percent >= 0)
-        std::fputs("\r\033[K", stderr);
-}
+    : title(printable(title, 200)), total(total), line(quiet) {}
 
 void ProgressBar::show(std::size_t done) {
-    const int percent = total == 0 ? 100 : static_cast<int>(100 * done / total);
-    if (!visible || percent == shown_percent)
-        return;
-    shown_percent = percent;
-    constexpr int width = 40;
-    const int filled = percent * width / 100;
-    std::fputs(
-        fmt::format("\r{} [{:=<{}}{: <{}}] {:3} %", title, "", filled, "", width - filled, percent)
-            .c_str(),
-        stderr);
-    std::fflush(stderr);
+    line.show([&] {
+        const std::size_t percent = total == 0 ? 100 : 100 * done / total;
+        constexpr std::size_t width = 40;
+        const std::size_t filled = percent * width / 100;
+        return fmt::format("{} [{:=<{}}{: <{}}] {:3} %", title, "", filled, "", width - filled,
+                           percent);
+    });
 }
 
-StatusLine::StatusLine(bool quiet) : visible(!quiet && isatty(STDERR_FILENO) != 0) {}
+std::string span_text(double seconds) {
+    if (seconds < 100)
+        return fmt::format("{:.0f} s", seconds);
+    if (seconds < 6000)
+        return fmt::format("{:.0f} min", seconds / 60);
+    return fmt::format("{:.1f} h", seconds / 3600);
+}
+
+StatusLine::StatusLine(bool quiet) : visible(!quiet), in_place(isatty(STDERR_FILENO) != 0) {
+    if (!in_place) // what is done by then needs no word
+        shown = std::chrono::steady_clock::now();
+}
 
 StatusLine::~StatusLine() {
-    if (shown.time_since_epoch().count() != 0)
+    clear();
+}
+
+void StatusLine::clear() {
+    if (stands)
         std::fputs("\r\033[K", stderr);
+    stands = false;
 }
 
 bool StatusLine::is_due() const {
-    return visible && std::chrono::steady_clock::now() - shown > std::chrono::milliseconds(200);
+    using namespace std::chrono;
+    const milliseconds between = in_place ? milliseconds(200) : milliseconds(20'000);
+    return visible && steady_clock::now() - shown > between;
 }
 
 void StatusLine::print(const std::string& text) {
+    shown = std::chrono::steady_clock::now();
+    if (!in_place) {
+        print_error_line(text);
+        return;
+    }
     winsize size{};
     const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
     const std::size_t width = known ? size.ws_col - 1U : 79U;
     std::fputs(("\r\033[K" + printable(text).substr(0, width)).c_str(), stderr);
     std::fflush(stderr);
-    shown = std::chrono::steady_clock::now();
+    stands = true;
 }
 
 } // namespace meniscus

@@ -33,6 +33,10 @@ void add_export(CLI::App& command);
 void add_audit(CLI::App& command);
 void add_classify(CLI::App& command);
 void add_demo(CLI::App& command);
+void add_inspect(CLI::App& command);
+void add_models(CLI::App& command);
+void add_man(CLI::App& command);
+void add_completion(CLI::App& command);
 void add_bench(CLI::App& command); // where the benchmarks are built
 
 /// Adds --quiet to a verb.
@@ -73,25 +77,11 @@ void add_overwrite_option(CLI::App& verb, InputsAndFolder& files);
 /// Creates the folder where it is missing; throws InputError where it cannot be written to.
 void make_writable_folder(const Path& folder);
 
-/// A bar on standard error while something long runs; silent where that is no terminal.
-class ProgressBar {
-public:
-    ProgressBar(std::string title, std::size_t total, bool quiet);
-    ~ProgressBar();
-    ProgressBar(const ProgressBar&) = delete;
-    ProgressBar& operator=(const ProgressBar&) = delete;
+/// "12 s", "3 min", "2.5 h".
+std::string span_text(double seconds);
 
-    void show(std::size_t done);
-
-private:
-    std::string title;
-    std::size_t total;
-    bool visible;
-    int shown_percent = -1;
-};
-
-/// One line on standard error that says how something long comes along; silent where that is no
-/// terminal, and changed a few times a second at most.
+/// One line on standard error that says how something long comes along, changed a few times a
+/// second at most; where that is no terminal a line of its own now and then.
 class StatusLine {
 public:
     explicit StatusLine(bool quiet);
@@ -106,12 +96,30 @@ public:
             print(text());
     }
 
+    /// Takes the line away, for another one to be printed in its place.
+    void clear();
+
 private:
     bool visible;
-    std::chrono::steady_clock::time_point shown{};
+    bool in_place; ///< on a terminal
+    bool stands = false;
+    std::chrono::steady_clock::time_point shown;
 
     [[nodiscard]] bool is_due() const;
     void print(const std::string& text);
+};
+
+/// A bar on the status line while something long runs.
+class ProgressBar {
+public:
+    ProgressBar(std::string title, std::size_t total, bool quiet);
+
+    void show(std::size_t done);
+
+private:
+    std::string title;
+    std::size_t total;
+    StatusLine line;
 };
 
 /// From now on an interrupt (Ctrl-C, SIGTERM, a terminal that closes) ends the program with status

@@ -2,6 +2,7 @@
 #include "label.hpp"
 #include "shipped_files.hpp"
 #include "threads.hpp"
+#include "usage.hpp"
 
 #include <meniscus/classifier/audit/audit.hpp>
 #include <meniscus/classifier/export/header_export.hpp>
@@ -17,7 +18,7 @@ namespace {
 
 struct DemoCommand {
     Path folder = "meniscus-demo";
-    double label_threshold = 0.02;
+    double label_threshold = default_label_threshold;
     bool quiet = false;
 };
 
@@ -89,6 +90,7 @@ void add_demo(CLI::App& command) {
                      "Surface means an uncovered fraction above this")
         ->capture_default_str();
     add_quiet_option(*verb, options->quiet);
+    add_examples(*verb, {{"meniscus demo", "everything, in meniscus-demo/"}});
     verb->callback([options] { run_demo(*options); });
 }
 

@@ -1,5 +1,6 @@
 // meniscus export: a model of either kind as a coefficient header for a solver.
 #include "command_line.hpp"
+#include "usage.hpp"
 
 #include <meniscus/classifier/curvature/curvature_model.hpp>
 #include <meniscus/classifier/export/header_export.hpp>
@@ -55,6 +56,8 @@ void add_export(CLI::App& command) {
         "Name of the struct in namespace meniscus; SurfaceCoefficients, or of a curvature "
         "model CurvatureCoefficients, in two dimensions CurvatureCoefficients2D");
     add_quiet_option(*verb, options->quiet);
+    add_examples(*verb, {{"meniscus export model.json -o surface_coefficients.hpp",
+                          "the header that a solver includes"}});
     verb->callback([options] { run_export(*options); });
 }
 

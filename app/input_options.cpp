@@ -1,12 +1,17 @@
 #include "label.hpp"
 
 #include <meniscus/data/formats/snapshot_files.hpp>
+#include <meniscus/data/formats/vtkhdf.hpp>
+#include <meniscus/data/hdf5/hdf5_signature.hpp>
 #include <meniscus/data/particles/flat_states.hpp>
 #include <meniscus/data/particles/nearest_spacing.hpp>
 #include <meniscus/data/particles/particle_arrays.hpp>
 #include <meniscus/data/particles/periodic_copies.hpp>
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/files.hpp>
+#include <meniscus/data/text/sha256.hpp>
+#include <meniscus/data/text/text.hpp>
+#include <meniscus/runtime/version.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -76,7 +81,7 @@ void add_input_options(CLI::App& verb, InputOptions& options) {
                     "name without a trailing frame number)");
 }
 
-Snapshot read_input(const Path& file, const InputOptions& options) {
+Snapshot read_with_options(const Path& file, const InputOptions& options) {
     check_positive("--support-radius", options.support_radius);
     check_positive("--particle-spacing", options.particle_spacing);
     check_positive("--particle-volume", options.particle_volume);
@@ -93,6 +98,11 @@ Snapshot read_input(const Path& file, const InputOptions& options) {
             options.support_radius ? *options.support_radius : 4 * *options.particle_radius;
         snapshot.provenance.erase("support_radius_from");
     }
+    return snapshot;
+}
+
+Snapshot read_input(const Path& file, const InputOptions& options) {
+    Snapshot snapshot = read_with_options(file, options);
     const SupportRadii radii = support_radii(snapshot);
     if (!radii.vary())
         snapshot.support_radius = radii.max;
@@ -150,22 +160,52 @@ std::string reading_notes(const Snapshot& snapshot) {
     return lines;
 }
 
-bool warn_of_support_radius(const Path& file, const Snapshot& snapshot,
-                            const std::vector<std::uint8_t>& valid,
-                            const std::vector<std::uint8_t>& surface) {
+std::optional<std::string> support_radius_warning(const Path& file, const Snapshot& snapshot,
+                                                  const std::vector<std::uint8_t>& valid,
+                                                  const std::vector<std::uint8_t>& surface) {
     constexpr std::ptrdiff_t min_for_doubt = 100;
     const std::string doubt = doubtful_support_radius(snapshot, support_radii(snapshot), valid);
-    if (!doubt.empty()) {
-        print_error_line(fmt::format("warning: {}: {}", file.string(), doubt));
-        return true;
-    }
+    if (!doubt.empty())
+        return fmt::format("{}: {}", file.string(), doubt);
     const auto all = std::count(valid.begin(), valid.end(), 1);
-    const bool no_interior =
-        all >= min_for_doubt && std::count(surface.begin(), surface.end(), 1) == all;
-    if (no_interior)
-        print_error_line(fmt::format("warning: {}: all {} particles are surface; is the {} right?",
-                                     file.string(), all, support_radius_text(snapshot)));
-    return no_interior;
+    if (all < min_for_doubt || std::count(surface.begin(), surface.end(), 1) != all)
+        return std::nullopt;
+    return fmt::format("{}: all {} particles are surface; is the {} right?", file.string(), all,
+                       support_radius_text(snapshot));
+}
+
+namespace {
+
+std::string joined(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words)
+        text += word + '\n';
+    return text;
+}
+
+std::string number_of(const std::optional<double>& value) {
+    return value ? number_text(*value) : "";
+}
+
+} // namespace
+
+std::string request_of(const std::string& verb, const Path& input, const InputOptions& options,
+                       const Boundary& boundary, const std::vector<std::string>& others) {
+    Sha256 sum;
+    const auto add = [&](const std::string& text) {
+        const std::string length = std::to_string(text.size()) + ':'; // keeps texts apart
+        sum.add(length.data(), length.size());
+        sum.add(text.data(), text.size());
+    };
+    for (const std::string& text :
+         {std::string(program_version), verb, file_hash(input), boundary.hash,
+          options.scene.empty() ? scene_of({}, input) : options.scene,
+          number_of(options.support_radius), number_of(options.particle_spacing),
+          number_of(options.particle_volume), number_of(options.particle_radius),
+          joined(options.fluid), joined(options.walls), joined(options.ignored),
+          std::to_string(options.dimension.value_or(0)), options.periodic, joined(others)})
+        add(text);
+    return sum.text();
 }
 
 } // namespace meniscus

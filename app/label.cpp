@@ -1,9 +1,15 @@
 // meniscus label: ground truth for snapshots of any format.
 #include "label.hpp"
+#include "file_batch.hpp"
+#include "input_files.hpp"
+#include "usage.hpp"
 
+#include <meniscus/classifier/training_set/labelled_state.hpp>
 #include <meniscus/data/formats/vtkhdf.hpp>
+#include <meniscus/data/hdf5/hdf5_signature.hpp>
 #include <meniscus/data/particles/feature_names.hpp>
 #include <meniscus/data/particles/particle_arrays.hpp>
+
 #include <meniscus/data/particles/periodic_copies.hpp>
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/files.hpp>
@@ -20,43 +26,52 @@
 namespace meniscus {
 namespace {
 
-/// The provenance but for the input's name: its hash says what it was.
-std::map<std::string, std::string> provenance_without_name(const Snapshot& snapshot) {
-    auto provenance = snapshot.provenance;
-    provenance.erase("input");
-    return provenance;
+/// All that LabelOptions and the command add to an input and its options.
+std::vector<std::string> request_words(const LabelCommand& command) {
+    const LabelOptions& label = command.label;
+    const bool sampled = label.method == LabelMethod::monte_carlo;
+    std::vector<std::string> words = {
+        sampled ? fmt::format("{} {} {}", label.samples, label.scheme, label.seed) : "exact",
+        number_text(label.radius_ratio), number_text(label.boundary_weight),
+        command.no_boundary ? "no boundary" : "", label.skip_invalid ? "skip invalid" : ""};
+    for (const std::size_t feature : label.features)
+        words.emplace_back(feature_list[feature].name);
+    return words;
 }
 
-/// True where an earlier output holds the labels that would be made again.
-bool is_up_to_date(const std::optional<Snapshot>& existing, const Snapshot& input) {
-    return existing && existing->scene == input.scene && existing->dimension == input.dimension &&
-           existing->particle_spacing == input.particle_spacing &&
-           (!input.particle_volume || existing->particle_volume == input.particle_volume) &&
-           provenance_without_name(*existing) == provenance_without_name(input);
-}
-
-void report(const Path& output, const Snapshot& snapshot, const Labels& labels,
-            double boundary_weight, bool quiet) {
+std::vector<std::string> warnings_of(const Path& output, const Snapshot& snapshot,
+                                     const Labels& labels) {
+    std::vector<std::string> warnings;
     for (const std::string& warning : labels.warnings)
-        print_error_line("warning: " + output.string() + ": " + warning);
+        warnings.push_back(output.string() + ": " + warning);
     const double mean = mean_neighbor_count(labels);
     const auto [lowest, highest] = plausible_neighbor_counts(snapshot.dimension);
-    const bool warned = warn_of_support_radius(output, snapshot, labels.valid, labels.surface);
-    if (!warned && snapshot.size() > 0 && (mean < lowest || mean > highest))
-        print_error_line(
-            fmt::format("warning: {}: a mean neighbor count of {:.1f} is implausible in {}D "
-                        "(expected {} to {}); is the {} right?",
-                        output.string(), mean, snapshot.dimension, lowest, highest,
-                        support_radius_text(snapshot)));
-    if (quiet)
-        return;
+    const auto doubt = support_radius_warning(output, snapshot, labels.valid, labels.surface);
+    if (doubt)
+        warnings.push_back(*doubt);
+    else if (snapshot.size() > 0 && (mean < lowest || mean > highest))
+        warnings.push_back(fmt::format("{}: a mean neighbor count of {:.1f} is implausible in {}D "
+                                       "(expected {} to {}); is the {} right?",
+                                       output.string(), mean, snapshot.dimension, lowest, highest,
+                                       support_radius_text(snapshot)));
+    return warnings;
+}
+
+FileReport report_of(const Path& output, const Snapshot& snapshot, const Labels& labels,
+                     double boundary_weight) {
     const auto surface = std::accumulate(labels.surface.begin(), labels.surface.end(), 0UL);
     const auto valid = std::accumulate(labels.valid.begin(), labels.valid.end(), 0UL);
-    print_text(fmt::format(
-        "{}: {} particles in {}D, {} surface, mean neighbor count {:.1f}, h = {:.2f} "
-        "spacings{}{}\n{}",
-        printable(output.string()), snapshot.size(), snapshot.dimension, surface, mean,
-        labels.spacing_ratio,
+    const auto more = static_cast<std::size_t>(
+        std::count_if(labels.uncovered_fraction.begin(), labels.uncovered_fraction.end(),
+                      [](double lambda) { return lambda > default_label_threshold; }));
+    FileReport report;
+    report.warnings = warnings_of(output, snapshot, labels);
+    report.counts = {snapshot.size(), surface, more};
+    report.text = fmt::format(
+        "{}: {} particles in {}D, {} surface, {} of them more than {} % uncovered, mean neighbor "
+        "count {:.1f}, h = {:.2f} spacings{}{}\n{}",
+        printable(output.string()), snapshot.size(), snapshot.dimension, surface, more,
+        100 * default_label_threshold, mean_neighbor_count(labels), labels.spacing_ratio,
         snapshot.boundary.empty()
             ? ""
             : fmt::format(", {} boundary particles cover{}", snapshot.boundary.size(),
@@ -64,11 +79,11 @@ void report(const Path& output, const Snapshot& snapshot, const Labels& labels,
         valid == snapshot.size()
             ? ""
             : fmt::format(", {} left out as not finite or too far out", snapshot.size() - valid),
-        reading_notes(snapshot)));
+        reading_notes(snapshot));
+    return report;
 }
 
-void label_file(const Path& input, const Path& output, const Boundary& boundary,
-                const LabelCommand& command) {
+Snapshot read_to_label(const Path& input, const Boundary& boundary, const LabelCommand& command) {
     Snapshot snapshot = read_input(input, command.input);
     if (command.no_boundary) {
         remove_periodic_copies(snapshot);
@@ -76,29 +91,33 @@ void label_file(const Path& input, const Path& output, const Boundary& boundary,
     }
     set_boundary(snapshot, boundary);
     set_periodic(snapshot, command.input);
-    const SupportRadii radii = support_radii(snapshot);
-    set_label_provenance(snapshot, radii, command.label);
-    set_input_provenance(snapshot, input);
+    return snapshot;
+}
+
+/// Labels one of the command's files, which are files and no patterns any more.
+FileReport label_file(const Path& input, const Path& output, const Boundary& boundary, int threads,
+                      const LabelCommand& command) {
+    const std::string request =
+        request_of("label", input, command.input, boundary, request_words(command));
     const auto earlier = earlier_output(output, "uncovered_fraction");
-    if (is_up_to_date(earlier, snapshot)) {
-        if (!command.quiet)
-            print_text(fmt::format("{}: up to date\n", printable(output.string())));
-        return;
-    }
+    if (is_up_to_date(earlier, request))
+        return {{}, printable(output.string()) + ": up to date\n", true, {}};
+    Snapshot snapshot = read_to_label(input, boundary, command);
+    const SupportRadii radii = support_radii(snapshot);
+    set_input_provenance(snapshot, input);
     if (!command.files.overwrite)
         check_made_from_same(output, earlier, snapshot);
-    const Labels labels = [&] {
-        ProgressBar bar(output.filename().string(), snapshot.size(), command.quiet);
-        LabelOptions options = command.label;
-        options.progress = [&](std::size_t done) { bar.show(done); };
-        return label_particles(snapshot, radii, options);
-    }();
+    LabelOptions options = command.label;
+    options.threads = threads;
+    const bool is_alone = command.files.inputs.size() == 1 || threads != 1;
+    ProgressBar bar(output.filename().string(), snapshot.size(), command.quiet || !is_alone);
+    options.progress = [&](std::size_t done) { bar.show(done); };
+    const Labels labels = label_particles(snapshot, radii, options);
     add_labels(snapshot, labels, radii, command.label);
-    {
-        const WriteGuard guard;
-        write_vtkhdf(snapshot, output);
-    }
-    report(output, snapshot, labels, command.label.boundary_weight, command.quiet);
+    snapshot.provenance["request"] = request;
+    const WriteGuard guard;
+    write_vtkhdf(snapshot, output);
+    return report_of(output, snapshot, labels, command.label.boundary_weight);
 }
 
 /// Refuses what no sampling scheme is called.
@@ -116,14 +135,22 @@ std::string check_scheme(const std::string& name) {
 std::optional<Snapshot> earlier_output(const Path& output, const char* array) {
     if (!std::filesystem::exists(output))
         return {};
-    if (is_vtkhdf(output)) {
-        Snapshot existing = read_vtkhdf(output);
-        if (find_array(existing, array) != nullptr)
-            return existing;
+    try {
+        Snapshot header = is_hdf5(output) ? read_vtkhdf_header(output) : Snapshot{};
+        if (find_array(header, array) != nullptr)
+            return header;
+    } catch (const InputError&) { // a damaged file, a folder
     }
     throw InputError(fmt::format("{}: exists and is no snapshot with '{}'; remove it or choose "
                                  "another folder with -o",
                                  output.string(), array));
+}
+
+bool is_up_to_date(const std::optional<Snapshot>& earlier, const std::string& request) {
+    if (!earlier)
+        return false;
+    const auto made_for = earlier->provenance.find("request");
+    return made_for != earlier->provenance.end() && made_for->second == request;
 }
 
 void set_input_provenance(Snapshot& snapshot, const Path& input) {
@@ -149,13 +176,21 @@ void check_made_from_same(const Path& output, const std::optional<Snapshot>& ear
                                  name == earlier->provenance.end() ? "" : ", " + name->second));
 }
 
-std::vector<Path> run_label(const LabelCommand& command) {
-    auto outputs = output_files(command.files, {command.boundary});
+std::vector<Path> run_label(const LabelCommand& asked) {
+    LabelCommand command = asked;
+    InputsAndFolder& files = command.files;
+    files.inputs = input_files(files.inputs);
+    auto outputs = output_files(files, {command.boundary});
     const Boundary boundary = read_boundary(command.boundary);
-    make_writable_folder(command.files.folder);
-    for (std::size_t f = 0; f < outputs.size(); ++f)
-        naming_file(command.files.inputs[f],
-                    [&] { label_file(command.files.inputs[f], outputs[f], boundary, command); });
+    make_writable_folder(files.folder);
+    const FileBatch batch = {
+        "labelling",           "labelled",    {"particles", "surface", "more than 2 % uncovered"},
+        command.label.threads, command.quiet, command.keep_going};
+    write_for_each_file(files.inputs, outputs, batch, [&](std::size_t f, int threads) {
+        return naming_file(files.inputs[f], [&] {
+            return label_file(files.inputs[f], outputs[f], boundary, threads, command);
+        });
+    });
     return outputs;
 }
 
@@ -199,12 +234,15 @@ void add_label(CLI::App& command) {
     auto* verb = command.add_subcommand("label", "Decide which particles of snapshots are surface");
     verb->add_option(
             "INPUT", options->files.inputs,
-            "Snapshots, told by their content: the project's own .vtkhdf, VTK's .vtk, .vtu "
-            "and .vtp, Partio's .bgeo, HDF5 of PySPH, GADGET and H5Part, CSV with named "
-            "columns, .ply, NumPy's .npy, extended .xyz, LAMMPS dumps")
+            fmt::format(
+                "Snapshots, told by their content: the project's own .vtkhdf, VTK's .vtk, .vtu "
+                "and .vtp, Partio's .bgeo, HDF5 of PySPH, GADGET and H5Part, CSV with named "
+                "columns, .ply, NumPy's .npy, extended .xyz, LAMMPS dumps. They are {}",
+                input_kinds))
         ->required();
     verb->add_option("-o,--output", options->files.folder,
                      "Folder for the labelled snapshots, DIR/<stem of INPUT>.vtkhdf")
+        ->type_name("DIR")
         ->required();
     add_overwrite_option(*verb, options->files);
     add_input_options(*verb, options->input);
@@ -243,7 +281,13 @@ void add_label(CLI::App& command) {
         "Leave particles out, with valid = 0, whose position is not finite or lies too far "
         "out for its number type");
     add_threads_option(*verb, options->label.threads);
+    add_keep_going_option(*verb, options->keep_going);
     add_quiet_option(*verb, options->quiet);
+    add_examples(*verb, {{"meniscus label out/ -o labelled --support-radius 0.1",
+                          "all snapshots of a folder"},
+                         {"meniscus label 'out/dam_{0:500:10}.vtk' -o labelled --boundary "
+                          "walls.vtk --support-radius 0.1",
+                          "each tenth frame, with walls from a file of their own"}});
     verb->callback([options, settle_method] {
         settle_method();
         run_label(*options);

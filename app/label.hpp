@@ -30,7 +30,11 @@ struct InputOptions {
 /// Adds the options above to a verb.
 void add_input_options(CLI::App& verb, InputOptions& options);
 
-/// Reads a snapshot of any format and completes it with the options. The support radius is that of
+/// Reads a snapshot of any format and completes it with the options. Throws InputError where a
+/// number of theirs is not positive and finite, and as read_snapshot does.
+Snapshot read_with_options(const Path& file, const InputOptions& options);
+
+/// The same for a verb that needs a support radius. It is that of
 /// the options, else the stored one, else that of a `support_radius` array; where its values
 /// differ, the snapshot has no radius for all and support_radii() has them. Throws InputError where
 /// there is none, or where a number for all is not positive and finite.
@@ -61,15 +65,26 @@ void set_periodic(Snapshot& snapshot, const InputOptions& options);
 /// Lines to print on what the reader had to choose, leave out, or take for something else.
 std::string reading_notes(const Snapshot& snapshot);
 
-/// Warns on standard error of a support radius that fits the particles ill, or else where all of
-/// them are surface. Returns whether it did.
-bool warn_of_support_radius(const Path& file, const Snapshot& snapshot,
-                            const std::vector<std::uint8_t>& valid,
-                            const std::vector<std::uint8_t>& surface);
+/// A warning, or nothing, of a support radius that fits the particles ill, or else where all of
+/// them are surface.
+std::optional<std::string> support_radius_warning(const Path& file, const Snapshot& snapshot,
+                                                  const std::vector<std::uint8_t>& valid,
+                                                  const std::vector<std::uint8_t>& surface);
 
-/// What an earlier run left at `output`, told by its point data `array`; nothing where there is no
-/// file. Throws InputError where something else is there: that is not ours to overwrite.
+/// A digest of all that decides what a verb writes for an input: its bytes, those of the boundary,
+/// the options, and the program's version. `others`: what the verb has besides InputOptions, each
+/// with its name. Written as provenance `request`, so that a rerun knows its own work without
+/// reading a particle.
+std::string request_of(const std::string& verb, const Path& input, const InputOptions& options,
+                       const Boundary& boundary, const std::vector<std::string>& others);
+
+/// What an earlier run left at `output`: its provenance and names of arrays, without particles;
+/// nothing where there is no file. Throws InputError where something else than a snapshot with the
+/// point data `array` is there: that is not ours to overwrite.
 std::optional<Snapshot> earlier_output(const Path& output, const char* array);
+
+/// Whether that is what is asked for again.
+bool is_up_to_date(const std::optional<Snapshot>& earlier, const std::string& request);
 
 /// Says in the provenance what the snapshot is made from: SHA-256 of the input, and the end of its
 /// path, by which a changed input is told from another one.
@@ -86,10 +101,11 @@ struct LabelCommand {
     Path boundary;            ///< file of boundary particles; empty: those of the input itself
     bool no_boundary = false; ///< boundary particles do not cover
     bool quiet = false;
+    bool keep_going = false; ///< a file that is at fault stops no other
 };
 
 /// Labels each input into its output, leaving out those that are there already, made from the same
-/// input with the same options. Returns the outputs.
-std::vector<Path> run_label(const LabelCommand& command);
+/// input with the same options. Returns the outputs. Throws as for_each_file does.
+std::vector<Path> run_label(const LabelCommand& asked);
 
 } // namespace meniscus

@@ -3,6 +3,7 @@
 // 3 failure while running, 130 interrupted.
 #include "command_line.hpp"
 #include "threads.hpp"
+#include "usage.hpp"
 
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/runtime/version.hpp>
@@ -28,8 +29,8 @@ int run(CLI::App& command, int argument_count, char** arguments) {
     } catch (const CLI::Success& request) { // --help, --version
         return command.exit(request);
     } catch (const CLI::ParseError& error) {
-        const std::string message = error.what();
-        return fail(2, message.substr(0, message.find('\n')) + " (see meniscus --help)");
+        return fail(
+            2, meniscus::usage_error(command, error, {arguments + 1, arguments + argument_count}));
     } catch (const meniscus::LimitExceeded& error) {
         return fail(1, error.what());
     } catch (const meniscus::InputError& error) {
@@ -55,10 +56,11 @@ int main(int argument_count, char** arguments) {
             "Finds the free surface of SPH fluids: simulate scenes, label snapshots, train "
             "a line, export it, audit it.",
             "meniscus");
-        command.set_version_flag("--version", std::string("meniscus ") + meniscus::program_version);
+        command.set_version_flag("-V,--version",
+                                 std::string("meniscus ") + meniscus::program_version);
         // run() notices that there is none; the parser names a wrong one.
         command.require_subcommand(0, 1);
-        command.get_formatter()->column_width(36);
+        meniscus::set_help_format(command);
         meniscus::add_simulate(command);
         meniscus::add_label(command);
         meniscus::add_train(command);
@@ -67,9 +69,16 @@ int main(int argument_count, char** arguments) {
         meniscus::add_audit(command);
         meniscus::add_classify(command);
         meniscus::add_demo(command);
+        meniscus::add_inspect(command);
+        meniscus::add_models(command);
+        meniscus::add_man(command);
+        meniscus::add_completion(command);
+        meniscus::add_help(command);
 #if MENISCUS_HAS_BENCH
         meniscus::add_bench(command);
 #endif
+        for (CLI::App* verb : command.get_subcommands({}))
+            verb->group("Verbs");
         return run(command, argument_count, arguments);
     } catch (const std::exception& error) { // what run() itself cannot report
         std::fprintf(stderr, "meniscus: %s\n", error.what());

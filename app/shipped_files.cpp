@@ -36,6 +36,10 @@ std::vector<Path> sample_snapshots() {
     return files;
 }
 
+Path shipped_scenes() {
+    return shipped_folder("scenes", MENISCUS_SOURCE_SCENES);
+}
+
 Path shipped_models() {
     return shipped_folder("models", MENISCUS_SOURCE_MODELS);
 }

@@ -9,6 +9,9 @@ namespace meniscus {
 /// The sample snapshots, by name; throws InputError where there are none.
 std::vector<Path> sample_snapshots();
 
+/// The folder of the scenes; throws InputError where there is none.
+Path shipped_scenes();
+
 /// The folder of the model files; throws InputError where there is none.
 Path shipped_models();
 

@@ -1,6 +1,9 @@
 // meniscus simulate: runs a scene and writes its frames, its log and its checkpoints.
 #include "command_line.hpp"
+#include "frame_series.hpp"
+#include "scene_choice.hpp"
 #include "scene_model.hpp"
+#include "usage.hpp"
 
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/files.hpp>
@@ -27,15 +30,6 @@ struct SimulateCommand {
     RunOptions run;
     bool quiet = false;
 };
-
-/// "12 s", "3 min", "2.5 h".
-std::string span_text(double seconds) {
-    if (seconds < 100)
-        return fmt::format("{:.0f} s", seconds);
-    if (seconds < 6000)
-        return fmt::format("{:.0f} min", seconds / 60);
-    return fmt::format("{:.1f} h", seconds / 3600);
-}
 
 /// Says how far a run is and, from what this process has done of it, when it will end.
 class RunStatus {
@@ -129,11 +123,18 @@ void check_profile(const SimulateCommand& command, const Scene& scene) {
                          "--profile");
 }
 
+std::vector<Path> frames_of(const Scene& scene, const Path& folder, std::uint64_t count) {
+    std::vector<Path> frames;
+    for (std::uint64_t frame = 0; frame < count; ++frame)
+        frames.push_back(frame_file(scene, folder, frame));
+    return frames;
+}
+
 void run_simulate(const SimulateCommand& command) {
     std::vector<std::string> changes = command.changes;
     if (!command.duration.empty())
         changes.push_back("duration=" + command.duration);
-    Scene scene = read_scene(command.scene, command.variant, changes);
+    Scene scene = chosen_scene(command.scene, command.variant, changes, command.quiet);
     use_model_file(scene);
     print_warnings(scene);
     if (!command.profile.empty())
@@ -153,6 +154,7 @@ void run_simulate(const SimulateCommand& command) {
         options.on_step = [&](const StepReport& report) { status.show(report); };
         options.stop = interrupt_is_waiting;
         result = run_scene(scene, options);
+        write_frame_series(frames_of(scene, command.folder, result.frames));
         if (!command.profile.empty() && result.profile.sums.steps > 0)
             write_whole(command.profile, profile_text(scene, result));
     }
@@ -184,8 +186,14 @@ void add_simulate(CLI::App& command) {
         "simulate",
         "Run a scene: a snapshot for each frame, DIR/<scene>_<frame>.vtkhdf, and a log, "
         "DIR/<scene>_log.csv. The same command goes on where it was ended");
-    verb->add_option("SCENE", options->scene, "Scene file (JSON, see docs/scenes.md)")->required();
-    verb->add_option("-o,--output", options->folder, "Folder for what the run writes")->required();
+    verb->add_option("SCENE", options->scene,
+                     fmt::format("Scene file (JSON, see docs/scenes.md), or the name of one that "
+                                 "ships: {}",
+                                 fmt::join(shipped_scene_names(), ", ")))
+        ->required();
+    verb->add_option("-o,--output", options->folder, "Folder for what the run writes")
+        ->type_name("DIR")
+        ->required();
     verb->add_option("--variant", options->variant, "Variant of the scene that its file names");
     verb->add_option("--set", options->changes,
                      "Change of the scene, KEY=VALUE, such as pressure.solver=iisph; the value is "
@@ -199,6 +207,11 @@ void add_simulate(CLI::App& command) {
                      "JSON file for mean times of the steps' stages");
     add_run_options(*verb, options->run);
     add_quiet_option(*verb, options->quiet);
+    add_examples(
+        *verb,
+        {{"meniscus simulate dam_break -o frames", "a scene that ships, or go on with it"},
+         {"meniscus simulate scene.json -o frames --variant paper --set pressure.solver=iisph",
+          "another size and another solver"}});
     verb->callback([options] { run_simulate(*options); });
 }
 

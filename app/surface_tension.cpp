@@ -86,11 +86,8 @@ void set_provenance(Snapshot& snapshot, const SurfaceTensionOptions& options, bo
     const std::string prefix = "runtime_";
     for (auto entry = provenance.begin(); entry != provenance.end();)
         entry = entry->first.rfind(prefix, 0) == 0 ? provenance.erase(entry) : std::next(entry);
-    const bool sampled = options.coverage == CoverageMethod::sampled;
-    for_each_surface_option([&](const auto& option) {
-        if (!is_of_line(option) && (sampled || !option.only_sampled))
-            provenance[prefix + option.name] = text_of(option, options);
-    });
+    for (const auto& [name, value] : surface_option_texts(options))
+        provenance[prefix + name] = value;
     provenance[prefix + "balance_momentum"] = balanced ? "true" : "false";
 }
 
@@ -145,7 +142,7 @@ void set_results(Snapshot& snapshot, const SurfaceStepResults& found) {
     std::vector<std::uint8_t> classes(found.count);
     for (std::size_t slot = 0; slot < found.slots; ++slot)
         classes[found.particle[slot]] = found.surface_class[slot];
-    set_array(snapshot, {"surface_class", 1, std::move(classes)});
+    set_array(snapshot, {"surface_class", 1, stored_classes(classes)});
     set_array(snapshot,
               {"runtime_uncovered_fraction", 1, spread(found, found.uncovered_fraction, 1)});
     set_array(snapshot, {"runtime_normal", 3, spread(found, found.normal, dimension)});
@@ -159,7 +156,8 @@ std::string words_for(const SurfaceStepResults& found, const SurfaceTensionOptio
     const bool complete =
         options.coverage == CoverageMethod::exact || options.verification == Verification::exact;
     return fmt::format("{} candidates of the line, {} of them surface, {}", found.slots, surface,
-                       complete ? "none lost" : "those without an open sample dropped");
+                       complete ? "by an exact check that drops no surface particle"
+                                : "those without an open sample dropped");
 }
 
 std::unique_ptr<SurfaceStep> make_step(const SurfaceTensionOptions& options, int dimension,
@@ -204,6 +202,16 @@ void add_surface_options(CLI::App& verb, SurfaceChoices& choices) {
     group->add_flag(
         "--balance-momentum", choices.balance_momentum,
         "Take net force and torque out of every body of fluid that touches no boundary");
+}
+
+std::map<std::string, std::string> surface_option_texts(const SurfaceTensionOptions& options) {
+    std::map<std::string, std::string> texts;
+    const bool sampled = options.coverage == CoverageMethod::sampled;
+    for_each_surface_option([&](const auto& option) {
+        if (!is_of_line(option) && (sampled || !option.only_sampled))
+            texts[option.name] = text_of(option, options);
+    });
+    return texts;
 }
 
 SurfaceTensionOptions surface_options(const SurfaceChoices& choices) {

@@ -31,6 +31,10 @@ void add_surface_options(CLI::App& verb, SurfaceChoices& choices);
 /// paper's. Throws InputError where one has no meaning beside another.
 SurfaceTensionOptions surface_options(const SurfaceChoices& choices);
 
+/// The options that have a meaning beside each other, by name, as texts; those of the line left
+/// out.
+std::map<std::string, std::string> surface_option_texts(const SurfaceTensionOptions& options);
+
 /// What was found, in words for the line that is printed, and what there is to note.
 struct SurfaceReport {
     std::string found;

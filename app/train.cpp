@@ -1,5 +1,6 @@
 // meniscus train: the line, from labelled snapshots.
-#include "command_line.hpp"
+#include "input_files.hpp"
+#include "usage.hpp"
 
 #include <meniscus/classifier/objectives/objectives.hpp>
 #include <meniscus/classifier/objectives/pair_search.hpp>
@@ -62,6 +63,7 @@ FeaturePair searched_features(const TrainCommand& command, const Model* first) {
 }
 
 void run_train(TrainCommand& command) {
+    command.inputs = input_files(command.inputs);
     check_is_not_an_input(command.output, command.inputs);
     check_is_not_an_input(command.output, {command.keep_k});
     check_can_be_written(command.output);
@@ -121,7 +123,8 @@ std::string objective_meanings() {
 void add_train(CLI::App& command) {
     auto options = std::make_shared<TrainCommand>();
     auto* verb = command.add_subcommand("train", "Fit the line y <= k x + d to labelled snapshots");
-    verb->add_option("LABELLED", options->inputs, "Snapshots that `meniscus label` has written")
+    verb->add_option("LABELLED", options->inputs,
+                     fmt::format("Snapshots that `meniscus label` has written: {}", input_kinds))
         ->required();
     verb->add_option("-o,--output", options->output, "Model file (JSON)")->required();
     auto* objective =
@@ -151,6 +154,14 @@ void add_train(CLI::App& command) {
         ->check(whole_numbers())
         ->capture_default_str();
     add_quiet_option(*verb, options->quiet);
+    add_examples(
+        *verb,
+        {{"meniscus train labelled/ -o model.json", "the line with the fewest false positives"},
+         {"meniscus train labelled/ -o model.json --second-features "
+          "mass_offset,direction_eigenvalue",
+          "two lines, as those that ship; after label --features direction_eigenvalue"},
+         {"meniscus train new/ -o moved.json --keep-k model.json",
+          "the same slope, shifted to a new scene"}});
     verb->callback([options] { run_train(*options); });
 }
 

@@ -366,8 +366,8 @@ void add_labels(Snapshot& snapshot, const Labels& labels, const SupportRadii& ra
         set_array(snapshot, {"support_radius", 1, radii.each});
     remove_other_features(snapshot);
     set_array(snapshot, {"uncovered_fraction", 1, labels.uncovered_fraction});
-    set_array(snapshot, {"surface", 1, labels.surface});
-    set_array(snapshot, {"valid", 1, labels.valid});
+    set_array(snapshot, {"surface", 1, stored_classes(labels.surface)});
+    set_array(snapshot, {"valid", 1, stored_classes(labels.valid)});
     set_array(snapshot, {"mass_offset", 1, labels.mass_offset});
     if (radii.vary() || (options.boundary_weight > 0 && !snapshot.boundary.empty()))
         set_array(snapshot, {"neighbor_count", 1, labels.neighbor_count});

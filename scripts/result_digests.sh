@@ -50,10 +50,9 @@ run() {
     values "run, $1" "$work/run_$1"/*_[0-9][0-9][0-9][0-9].vtkhdf
 }
 short=(--duration 0.1 --set frame_interval=0.05)
-iterates=(--set pressure.divergence_error=null)
 run dfsph dam_break "${short[@]}"
-run iisph dam_break "${short[@]}" --set pressure.solver=iisph "${iterates[@]}"
-run pcisph dam_break "${short[@]}" --set pressure.solver=pcisph "${iterates[@]}"
+run iisph dam_break "${short[@]}" --set pressure.solver=iisph
+run pcisph dam_break "${short[@]}" --set pressure.solver=pcisph
 run wcsph dam_break "${short[@]}" --set 'pressure={"solver": "wcsph", "sound_speed": 60,
     "density_error": null, "divergence_error": null}'
 run dfsph_2d_double dam_break_2d "${short[@]}" --set precision=double

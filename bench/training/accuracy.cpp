@@ -405,6 +405,7 @@ Tables plain_line(const TableInput& input) {
     const States states = read_states(input.files);
     TrainingOptions options;
     options.objective = "logistic";
+    options.label_threshold = 0; // as published
     Model model = train(states, options);
     model.line = fit_with_torch(options.objective, states, options.label_threshold, options.seed);
     model.objective = "logistic, not shifted";

@@ -101,7 +101,7 @@ AuditReport audit_snapshots(const Model& model, const std::vector<StateSource>& 
                             const AuditOptions& options) {
     AuditReport report;
     report.model = model;
-    report.label_threshold = options.label_threshold;
+    report.label_threshold = options.label_threshold.value_or(model.label_threshold);
     report.total.scene = "all";
     std::vector<ModelUse> uses;
     for (const StateSource& source : sources) {
@@ -109,7 +109,7 @@ AuditReport audit_snapshots(const Model& model, const std::vector<StateSource>& 
         if (!options.scene.empty())
             state.scene = options.scene;
         AuditRow row =
-            audit_state(model, source.snapshot, state, options.label_threshold, options.threads);
+            audit_state(model, source.snapshot, state, report.label_threshold, options.threads);
         row.scene = state.scene;
         add_row(row, row_of(state.scene, report.scenes));
         add_row(row, report.total);

@@ -4,6 +4,7 @@
 #include <meniscus/classifier/model/classify_snapshot.hpp>
 
 #include <meniscus/data/particles/particle_arrays.hpp>
+#include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/text.hpp>
 
 #include <algorithm>
@@ -16,6 +17,10 @@ bool was_trained_on(const Model& model, const std::string& hash) {
     return !hash.empty() &&
            std::any_of(model.training_files.begin(), model.training_files.end(),
                        [&](const TrainingFile& file) { return file.hash == hash; });
+}
+
+double threshold_of(const Model& model, const AuditOptions& options) {
+    return options.label_threshold.value_or(model.label_threshold);
 }
 
 } // namespace
@@ -58,19 +63,39 @@ AuditRow audit_state(const Model& model, const Snapshot& snapshot, const Labelle
     return row;
 }
 
-AuditReport audit(const Model& model, const std::vector<std::filesystem::path>& files,
-                  const AuditOptions& options) {
-    std::vector<ModelUse> uses;
-    AuditReport report =
-        audit_files(files, options, [&](const Snapshot& snapshot, const LabelledState& state) {
-            uses.push_back({state.file, state.spacing_ratio, bulk_neighbor_count(state)});
-            return audit_state(model, snapshot, state, options.label_threshold, options.threads);
-        });
+AuditedFile audit_file(const Model& model, const std::filesystem::path& file,
+                       const AuditOptions& options) {
+    return judged_file(file, options.scene,
+                       [&](const Snapshot& snapshot, const LabelledState& state) {
+                           return audit_state(model, snapshot, state, threshold_of(model, options),
+                                              options.threads);
+                       });
+}
+
+AuditReport audit_report(const Model& model, const AuditOptions& options,
+                         const std::vector<AuditedFile>& files) {
+    AuditReport report = sum_of_files(files, threshold_of(model, options));
     report.model = model;
+    std::vector<ModelUse> uses;
+    uses.reserve(files.size());
+    for (const AuditedFile& file : files)
+        uses.push_back(file.use);
     const std::string warning = outside_trained_range(model, uses);
     if (!warning.empty())
         report.warnings.push_back(warning);
     return report;
+}
+
+AuditReport audit(const Model& model, const std::vector<std::filesystem::path>& files,
+                  const AuditOptions& options) {
+    if (files.empty())
+        throw InputError("no labelled file to audit; give at least one");
+    check_label_threshold(threshold_of(model, options));
+    std::vector<AuditedFile> audited;
+    audited.reserve(files.size());
+    for (const auto& file : files)
+        audited.push_back(audit_file(model, file, options));
+    return audit_report(model, options, audited);
 }
 
 } // namespace meniscus

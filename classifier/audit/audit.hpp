@@ -27,6 +27,22 @@ inline constexpr double detector_label_threshold = 0.02;
 AuditRow audit_state(const Model& model, const Snapshot& snapshot, const LabelledState& state,
                      double label_threshold, int threads = 0);
 
+/// What the audit says of one file.
+struct AuditedFile {
+    AuditRow row;
+    ModelUse use;
+    std::vector<std::string> warnings; ///< one line each, the file's name in front
+};
+
+/// Reads and audits one labelled file with the options' threads. Throws as audit() does. Several
+/// threads may call it at once.
+AuditedFile audit_file(const Model& model, const std::filesystem::path& file,
+                       const AuditOptions& options);
+
+/// The report on files that were audited with this model and these options, in their order.
+AuditReport audit_report(const Model& model, const AuditOptions& options,
+                         const std::vector<AuditedFile>& files);
+
 /// Audits labelled files, which are read one after the other. Throws InputError where there are no
 /// files, where a file cannot be read or was not labelled, and as audit_state does.
 AuditReport audit(const Model& model, const std::vector<std::filesystem::path>& files,

@@ -32,34 +32,50 @@ std::vector<std::uint8_t> valid_particles(const Snapshot& snapshot, const std::s
     return valid;
 }
 
-AuditReport audit_files(const std::vector<std::filesystem::path>& files,
-                        const AuditOptions& options, const Judge& judge) {
-    if (files.empty())
-        throw InputError("no labelled file to audit; give at least one");
-    check_label_threshold(options.label_threshold);
+AuditedFile judged_file(const std::filesystem::path& file, const std::string& scene,
+                        const Judge& judge) {
+    const Snapshot snapshot = read_snapshot(file);
+    LabelledState state = labelled_state(snapshot, file);
+    state.hash = file_hash(file);
+    if (!scene.empty())
+        state.scene = scene;
+    AuditedFile judged;
+    judged.row = judge(snapshot, state);
+    judged.use = {state.file, state.spacing_ratio, bulk_neighbor_count(state)};
+    const std::string doubt =
+        doubtful_support_radius(snapshot, support_radii(snapshot), valid_particles(snapshot, file));
+    if (!doubt.empty())
+        judged.warnings.push_back(file.string() + ": " + doubt);
+    if (judged.row.features_differ != 0)
+        judged.warnings.push_back(
+            file.string() + ": the stored neighbor counts of " +
+            std::to_string(judged.row.features_differ) +
+            " particles are not what its positions give; label it again before training");
+    return judged;
+}
+
+AuditReport sum_of_files(const std::vector<AuditedFile>& files, double label_threshold) {
     AuditReport report;
-    report.label_threshold = options.label_threshold;
+    report.label_threshold = label_threshold;
     report.total.scene = "all";
-    for (const auto& file : files) {
-        const Snapshot snapshot = read_snapshot(file);
-        LabelledState state = labelled_state(snapshot, file);
-        state.hash = file_hash(file);
-        if (!options.scene.empty())
-            state.scene = options.scene;
-        const AuditRow row = judge(snapshot, state);
-        add_row(row, row_of_scene(state.scene, report.scenes));
-        add_row(row, report.total);
-        const std::string doubt = doubtful_support_radius(snapshot, support_radii(snapshot),
-                                                          valid_particles(snapshot, file));
-        if (!doubt.empty())
-            report.warnings.push_back(file.string() + ": " + doubt);
-        if (row.features_differ != 0)
-            report.warnings.push_back(
-                file.string() + ": the stored neighbor counts of " +
-                std::to_string(row.features_differ) +
-                " particles are not what its positions give; label it again before training");
+    for (const AuditedFile& file : files) {
+        add_row(file.row, row_of_scene(file.row.scene, report.scenes));
+        add_row(file.row, report.total);
+        report.warnings.insert(report.warnings.end(), file.warnings.begin(), file.warnings.end());
     }
     return report;
+}
+
+AuditReport audit_files(const std::vector<std::filesystem::path>& files,
+                        const AuditOptions& options, double label_threshold, const Judge& judge) {
+    if (files.empty())
+        throw InputError("no labelled file to audit; give at least one");
+    check_label_threshold(label_threshold);
+    std::vector<AuditedFile> judged;
+    judged.reserve(files.size());
+    for (const auto& file : files)
+        judged.push_back(judged_file(file, options.scene, judge));
+    return sum_of_files(judged, label_threshold);
 }
 
 } // namespace meniscus

@@ -29,6 +29,10 @@ AuditRow row_of(const LabelledState& state, const std::vector<std::uint8_t>& val
     return row;
 }
 
+double threshold_of(const AuditOptions& options) {
+    return options.label_threshold.value_or(detector_label_threshold);
+}
+
 AuditedDetector checked(const std::string& name, std::optional<double> threshold) {
     const DetectorKind& kind = detector_kind(name);
     if (threshold && !(*threshold >= kind.min_threshold && *threshold <= kind.max_threshold))
@@ -49,7 +53,7 @@ AuditRow audit_one(const AuditedDetector& detector, const Snapshot& snapshot,
     const auto flagged = [&](std::size_t i) {
         return detector.kind.flags(responses[i], detector.threshold);
     };
-    return row_of(state, valid, options.label_threshold, flagged,
+    return row_of(state, valid, threshold_of(options), flagged,
                   [&](AuditRow& row, std::size_t i, bool is_surface) {
                       const double response = detector.kind.sign() * responses[i];
                       if (!is_surface)
@@ -77,8 +81,9 @@ AuditReport audit_detector(const std::string& name, std::optional<double> thresh
     AuditedDetector detector = checked(name, threshold);
     std::string first_file;
     int dimension = 0;
-    AuditReport report =
-        audit_files(files, options, [&](const Snapshot& snapshot, const LabelledState& state) {
+    AuditReport report = audit_files(
+        files, options, threshold_of(options),
+        [&](const Snapshot& snapshot, const LabelledState& state) {
             if (first_file.empty()) {
                 first_file = state.file;
                 dimension = state.dimension;
@@ -99,14 +104,15 @@ AuditReport audit_detector(const std::string& name, std::optional<double> thresh
 AuditReport audit_flag(const AuditedFlag& flag, const std::vector<std::filesystem::path>& files,
                        const AuditOptions& options) {
     AuditReport report =
-        audit_files(files, options, [&](const Snapshot& snapshot, const LabelledState& state) {
-            const auto valid = valid_particles(snapshot, state.file);
-            const auto flags = flags_of(flag, snapshot, valid, state.file);
-            return row_of(
-                state, valid, options.label_threshold,
-                [&](std::size_t i) { return flags[i] >= flag.min; },
-                [](AuditRow& /*row*/, std::size_t /*i*/, bool /*is_surface*/) {});
-        });
+        audit_files(files, options, threshold_of(options),
+                    [&](const Snapshot& snapshot, const LabelledState& state) {
+                        const auto valid = valid_particles(snapshot, state.file);
+                        const auto flags = flags_of(flag, snapshot, valid, state.file);
+                        return row_of(
+                            state, valid, threshold_of(options),
+                            [&](std::size_t i) { return flags[i] >= flag.min; },
+                            [](AuditRow& /*row*/, std::size_t /*i*/, bool /*is_surface*/) {});
+                    });
     report.flag = flag;
     return report;
 }

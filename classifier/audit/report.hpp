@@ -14,9 +14,10 @@
 namespace meniscus {
 
 struct AuditOptions {
-    double label_threshold = 0; ///< surface means lambda above this, whatever the model's
-    std::string scene;          ///< replaces the files' own scenes where not empty
-    int threads = 0;            ///< 0: all cores; the report does not depend on it
+    /// Surface means lambda above this; without, the model's, or detector_label_threshold.
+    std::optional<double> label_threshold;
+    std::string scene; ///< replaces the files' own scenes where not empty
+    int threads = 0;   ///< 0: all cores; the report does not depend on it
 };
 
 /// What a detector's particles say of its threshold: their responses (detectors.hpp), with the sign

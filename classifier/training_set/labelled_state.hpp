@@ -94,6 +94,10 @@ struct SceneGroups {
 };
 SceneGroups group_by_scene(const std::vector<LabelledState>& states);
 
+/// The label threshold where nobody says another: a particle is surface where more than this share
+/// of its sphere is uncovered. At 0 every pinhole between neighbors counts (docs/accuracy.md).
+inline constexpr double default_label_threshold = 0.02;
+
 /// Throws InputError where a label threshold is not in [0, 1).
 void check_label_threshold(double label_threshold);
 

@@ -16,6 +16,11 @@ bool is_vtkhdf(const std::filesystem::path& file);
 /// in length, or where a dataset claims more than the file can hold.
 Snapshot read_vtkhdf(const std::filesystem::path& file);
 
+/// What the file says of itself, without its particles: a snapshot of none, with the names of its
+/// point data, its numbers, scene and provenance. Throws as read_vtkhdf does, but for the arrays,
+/// which are not looked at.
+Snapshot read_vtkhdf_header(const std::filesystem::path& file);
+
 /// Writes the snapshot, whole or not at all; the same snapshot gives the same bytes. Throws as
 /// write_whole does.
 void write_vtkhdf(const Snapshot& snapshot, const std::filesystem::path& file);

@@ -185,9 +185,10 @@ Positions read_boundary(const Hdf5Source& source) {
     return boundary;
 }
 
-void read_for_meniscus(const Hdf5Source& source, Snapshot& snapshot) {
+/// All of the group /meniscus but the boundary. Returns whether there is one.
+bool read_own_words(const Hdf5Source& source, Snapshot& snapshot) {
     if (!exists(source, "/meniscus"))
-        return; // written by another program
+        return false; // written by another program
     const std::string version = text_dataset(source, "/meniscus/format_version");
     if (version != format_version) {
         fail(source, "/meniscus/format_version", std::string(format_version),
@@ -195,10 +196,14 @@ void read_for_meniscus(const Hdf5Source& source, Snapshot& snapshot) {
     }
     if (exists(source, "/meniscus/scene"))
         snapshot.scene = text_dataset(source, "/meniscus/scene");
-    if (exists(source, "/meniscus/boundary"))
-        snapshot.boundary = read_boundary(source);
     for (const std::string& name : array_names_in(source, "/meniscus/provenance"))
         snapshot.provenance[name] = text_dataset(source, "/meniscus/provenance/" + name);
+    return true;
+}
+
+void read_for_meniscus(const Hdf5Source& source, Snapshot& snapshot) {
+    if (read_own_words(source, snapshot) && exists(source, "/meniscus/boundary"))
+        snapshot.boundary = read_boundary(source);
 }
 
 bool holds_vtkhdf(const Hdf5Source& source) {
@@ -218,6 +223,17 @@ Snapshot vtkhdf_snapshot(const Hdf5Source& source, const ReadChoices& /*choices*
 
 Snapshot read(const OpenedFile& file) {
     return vtkhdf_snapshot(open_source(file), {});
+}
+
+Snapshot read_header(const OpenedFile& file) {
+    const Hdf5Source source = open_source(file);
+    check_grid(source);
+    Snapshot snapshot;
+    for (const std::string& name : array_names_in(source, "/VTKHDF/PointData"))
+        snapshot.point_data.push_back({name, 1, {}});
+    read_field_data(source, snapshot);
+    read_own_words(source, snapshot);
+    return snapshot;
 }
 
 /// An empty snapshot, or an InputError where the file holds no VTKHDF.
@@ -248,6 +264,10 @@ Snapshot read_vtkhdf(const fs::path& file) {
     if (!is_hdf5(file))
         throw InputError(file.string() + ": expected an HDF5 file, found something else");
     return read_isolated(file, read);
+}
+
+Snapshot read_vtkhdf_header(const fs::path& file) {
+    return read_isolated(file, read_header);
 }
 
 } // namespace meniscus

@@ -24,6 +24,25 @@ constexpr std::pair<const char*, const char*> renamed_keys[] = {
     {"largest_bias", "max_bias"},
 };
 
+/// What files of the project are, and where one comes from.
+struct FileKind {
+    const char* what;
+    const char* source;
+};
+
+constexpr FileKind file_kinds[] = {
+    {"a model", "`meniscus train` writes one, and `meniscus models` lists those that ship"},
+    {"a curvature model", "`meniscus calibrate` writes one"},
+    {"a calibration", "configs/curvature has some"},
+    {"a scene", "docs/scenes.md says how to write one, and configs/scenes has some"},
+};
+
+const FileKind* kind_named(const std::string& what) {
+    const auto* found = std::find_if(std::begin(file_kinds), std::end(file_kinds),
+                                     [&](const FileKind& kind) { return kind.what == what; });
+    return found == std::end(file_kinds) ? nullptr : found;
+}
+
 constexpr double max_count = 1e15;
 constexpr std::size_t max_text = std::size_t{64} << 20U;
 
@@ -47,32 +66,37 @@ std::string listed(const std::vector<std::string>& words) {
     return text;
 }
 
-/// Damerau's and Levenshtein's distance, in which no letter is edited twice.
-std::size_t edits_between(const std::string& a, const std::string& b) {
-    std::vector<std::vector<std::size_t>> edits(a.size() + 1,
-                                                std::vector<std::size_t>(b.size() + 1));
-    for (std::size_t i = 0; i <= a.size(); ++i)
-        for (std::size_t j = 0; j <= b.size(); ++j) {
-            if (i == 0 || j == 0) {
-                edits[i][j] = i + j;
-                continue;
-            }
-            edits[i][j] = std::min({edits[i - 1][j] + 1, edits[i][j - 1] + 1,
-                                    edits[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-                edits[i][j] = std::min(edits[i][j], edits[i - 2][j - 2] + 1);
-        }
-    return edits[a.size()][b.size()];
+/// Refuses a file of one kind where another is expected.
+void check_kind(const Json& json, const std::string& file, const std::string& expected) {
+    const FileKind* kind = kind_named(expected);
+    const std::string found = kind_of_json(json);
+    if (kind != nullptr && !found.empty() && found != expected)
+        throw InputError(file + " is " + found + ", not " + expected + "; " + kind->source);
+}
+
+/// What a file is that is no text, or nothing.
+std::string binary_kind(const std::string& text) {
+    if (text.compare(0, 4, "\x89HDF") == 0)
+        return "an HDF5 file, perhaps a snapshot";
+    const bool is_text =
+        std::none_of(text.begin(), text.begin() + std::min<std::size_t>(text.size(), 100),
+                     [](unsigned char c) { return c < 9; });
+    return is_text ? "" : "binary data";
 }
 
 } // namespace
 
-const std::string& nearest_spelling(const std::string& misspelt,
-                                    const std::vector<std::string>& words) {
-    const std::string start = misspelt.substr(0, 100); // longer ones resemble nothing
-    return *std::min_element(words.begin(), words.end(), [&](const auto& a, const auto& b) {
-        return edits_between(start, a) < edits_between(start, b);
-    });
+std::string kind_of_json(const Json& json) {
+    if (!json.is_object())
+        return {};
+    const auto format = json.find("format");
+    if (format != json.end() && format->is_string()) {
+        const std::string name = format->get<std::string>();
+        for (const FileKind& kind : file_kinds) // "meniscus model" is "a model"
+            if (name == "meniscus " + std::string(kind.what).substr(2))
+                return kind.what;
+    }
+    return json.contains("fluid") && json.contains("particle_spacing") ? "a scene" : "";
 }
 
 Json parse_json(const std::string& text, const std::string& file, const std::string& what) {
@@ -94,8 +118,14 @@ Json parse_json(const std::string& text, const std::string& file, const std::str
         }
         return true;
     };
+    if (const std::string kind = binary_kind(text); !kind.empty())
+        throw InputError(
+            file + " is " + kind + ", not " + what + " (JSON)" +
+            (kind_named(what) == nullptr ? "" : std::string("; ") + kind_named(what)->source));
     try {
-        return Json::parse(text, watch);
+        Json json = Json::parse(text, watch);
+        check_kind(json, file, what);
+        return json;
     } catch (const nlohmann::json::out_of_range&) {
         throw InputError(file + ": " + quoted_text(key) +
                          " must be a finite number, found one too large");

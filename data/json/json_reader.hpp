@@ -3,6 +3,7 @@
 #pragma once
 
 #include <meniscus/data/text/range.hpp>
+#include <meniscus/data/text/spelling.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -20,18 +21,17 @@ inline constexpr int max_nesting = 100;
 
 /// Parses. Throws InputError that names the file, what it should be ("a model") and the last key
 /// that was read, where the text breaks off, a number overflows, an object has a key twice, or
-/// brackets nest more than max_nesting deep.
+/// brackets nest more than max_nesting deep; and where the file is of another kind (kind_of_json),
+/// with what it is and where one of the expected kind comes from.
 Json parse_json(const std::string& text, const std::string& file, const std::string& what);
+
+/// What the JSON of a file of the project is, as parse_json() is told: "a model", "a curvature
+/// model", "a calibration" or "a scene"; empty for anything else.
+std::string kind_of_json(const Json& json);
 
 /// The whole file as text. Throws InputError, with what was expected, where it cannot be read or is
 /// longer than any that people write; FailureError where the machine cannot open it.
 std::string text_of_file(const std::filesystem::path& file, const std::string& expected);
-
-/// Which of the words, of which there is at least one, takes the fewest edits (a letter put in,
-/// left out or replaced, two neighbors exchanged) to make of the misspelt one; the first of
-/// several.
-const std::string& nearest_spelling(const std::string& misspelt,
-                                    const std::vector<std::string>& words);
 
 /// One JSON object of a file, which must outlive it. Every member throws InputError, naming file
 /// and key, where the key is missing or the value is not what was asked for.

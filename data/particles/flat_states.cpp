@@ -185,7 +185,8 @@ void demand_plane(Snapshot& snapshot) {
                                           " has z = " + number_text((*other)[2]) +
                                           " and others before it " + number_text(level) +
                                           ", and no other plane holds all";
-        throw InputError("--dimension 2, but " + who + "; leave the option out");
+        throw InputError("--dimension 2, but " + who +
+                         "; a flat state has one z: export it so, or take it in 3D");
     }
     settle_plane(snapshot);
     snapshot.dimension = 2;

@@ -13,6 +13,12 @@
 
 namespace meniscus {
 
+/// Classes of particles as files have them: VTK takes unsigned bytes for colors and shows them as
+/// such, signed ones as numbers.
+inline std::vector<std::int8_t> stored_classes(const std::vector<std::uint8_t>& classes) {
+    return {classes.begin(), classes.end()};
+}
+
 /// 1 for each particle whose position can be worked with, else 0: it is finite, and not so far from
 /// the origin that the type it is stored in cannot tell it from its neighbors
 /// (runtime/neighbors/position_resolution.hpp). Throws InputError where there is a 0 (how many, and

@@ -3,6 +3,7 @@
 #include "step.hpp"
 
 #include <meniscus/data/particles/neighbor_search.hpp>
+#include <meniscus/data/particles/particle_arrays.hpp>
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/text.hpp>
 #include <meniscus/data/threads/threads.hpp>
@@ -367,7 +368,7 @@ private:
         if (!finds_surface)
             return;
         const SurfaceResults& surface = results().surface;
-        set_array(frame, {"surface_class", 1, surface.surface_class});
+        set_array(frame, {"surface_class", 1, stored_classes(surface.surface_class)});
         add("mean_curvature", surface.curvature);
         set_array(frame, {"normal", 3, flat<float>(surface.normal)});
     }

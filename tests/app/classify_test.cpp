@@ -390,7 +390,7 @@ TEST_F(Classify, SaysWhatWasFound) {
         EXPECT_NE(printed.find(std::to_string(count)), std::string::npos) << printed << count;
     };
     const std::string printed = succeed(words);
-    expect_mentions(printed, {"candidates of the line", "of them surface", "none lost"});
+    expect_mentions(printed, {"candidates of the line", "of them surface", "exact check"});
     counted(printed, 1);
     counted(printed, 2);
     const std::string dropping = succeed(words + Words{"--paper"});

@@ -61,8 +61,8 @@ TEST_F(Label, AddsLabelsToWhatIsThere) {
     };
     EXPECT_TRUE(is("uncovered_fraction", double{}));
     EXPECT_TRUE(is("mass_offset", double{}));
-    EXPECT_TRUE(is("surface", std::uint8_t{}));
-    EXPECT_TRUE(is("valid", std::uint8_t{}));
+    EXPECT_TRUE(is("surface", std::int8_t{}));
+    EXPECT_TRUE(is("valid", std::int8_t{}));
     EXPECT_NE(find_array(after, "neighbor_count"), nullptr);
     for (const auto& [name, value] : {std::pair{"method", "monte-carlo"},
                                       {"samples", "500"},

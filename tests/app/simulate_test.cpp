@@ -99,9 +99,10 @@ TEST_F(Simulate, WritesFramesAndALog) {
     const Path scene = save_scene(tank());
     const std::string said = succeed(simulate(scene, "out"));
     expect_mentions(said, {"tank", "216 particles", "6 frames", "0.1 s"});
-    EXPECT_EQ(files_in("out"), (Words{"tank_0000.vtkhdf", "tank_0001.vtkhdf", "tank_0002.vtkhdf",
-                                      "tank_0003.vtkhdf", "tank_0004.vtkhdf", "tank_0005.vtkhdf",
-                                      "tank_checkpoint.vtkhdf", "tank_files.txt", "tank_log.csv"}));
+    EXPECT_EQ(files_in("out"),
+              (Words{"tank.vtkhdf.series", "tank_0000.vtkhdf", "tank_0001.vtkhdf",
+                     "tank_0002.vtkhdf", "tank_0003.vtkhdf", "tank_0004.vtkhdf", "tank_0005.vtkhdf",
+                     "tank_checkpoint.vtkhdf", "tank_files.txt", "tank_log.csv"}));
     const Path log_file = folder / "out" / "tank_log.csv";
     const std::vector<double> times = column(log_file, "time");
     ASSERT_EQ(times.size(), 6U);
@@ -409,6 +410,41 @@ TEST_F(Simulate, ChangesAreThoseOfTheScene) {
                      {"--set", "pressure.solver=iisph", "--set", "gravity=[0, -1, 0]", "--set",
                       "surface_tension=null", "--duration", "0.04"}));
     expect_same_files("by_file", "by_option");
+}
+
+TEST_F(Simulate, AnotherMethodLeavesOutWhatItDoesNotRead) {
+    Json json = tank();
+    json["pressure"]["divergence_error"] = 0.001;
+    json["surface_tension"]["samples"] = 64;
+    json["duration"] = 0.02;
+    const Path scene = save_scene(json);
+    expect_mentions(succeed(simulate(scene, "iisph", {"--set", "pressure.solver=iisph"})),
+                    {"pressure.divergence_error is left out", "solver iisph"});
+    fail(2,
+         simulate(scene, "no",
+                  {"--set", "pressure.solver=iisph", "--set", "pressure.divergence_error=0.01"}),
+         {"divergence_error", "iisph"});
+    fail(2, simulate(scene, "no", {"--set", "pressure.solver=wcsph"}),
+         {"wcsph", "--set pressure.sound_speed=VALUE"});
+    // A coefficient is one of its model.
+    const Words akinci = {"--set", "surface_tension.model=akinci_2013"};
+    fail(2, simulate(scene, "no", akinci),
+         {"meniscus (sigma in N/m)", "akinci_2013", "--set surface_tension.coefficient=VALUE"});
+    expect_mentions(succeed(simulate(scene, "akinci",
+                                     akinci + Words{"--set", "surface_tension.coefficient=1"})),
+                    {"surface_tension.samples is left out", "akinci_2013"});
+    const Path frame = folder / "akinci" / "tank_0001.vtkhdf";
+    expect_mentions(read_vtkhdf(frame).provenance.at("scene_text"), {"akinci_2013"});
+}
+
+TEST_F(Simulate, ScenesThatShipHaveNames) {
+    fail(2, simulate("dam_brake", "no"), {"dam_brake", "did you mean 'dam_break'?", "drop_2d"});
+    fail(2, simulate("drop_2d", "no", {"--variant", "none"}), {"drop_2d.json", "no variant"});
+    for (const char* solver : {"iisph", "pcisph"})
+        fail(2,
+             simulate("dam_break", "no",
+                      {"--set", std::string("pressure.solver=") + solver, "--duration", "-1"}),
+             {"'duration'"}); // and not the solver
 }
 
 TEST_F(Simulate, TakesAModelFile) {

@@ -2,13 +2,15 @@
 
 #include <meniscus/runtime/version.hpp>
 
+#include <sstream>
+
 namespace meniscus {
 namespace {
 
 using Usage = CommandLine;
 
-constexpr const char* verbs[] = {"simulate", "label",    "train", "export",
-                                 "audit",    "classify", "demo",  "bench"};
+constexpr const char* verbs[] = {"simulate", "label", "train", "export", "audit",
+                                 "classify", "demo",  "bench", "inspect"};
 
 TEST_F(Usage, HelpOfEveryVerb) {
     const std::string overview = succeed({"--help"});
@@ -18,8 +20,57 @@ TEST_F(Usage, HelpOfEveryVerb) {
     }
 }
 
+TEST_F(Usage, HelpIsWrappedAndHasExamples) {
+    for (const char* verb : verbs) {
+        const std::string help = succeed({"help", verb});
+        EXPECT_EQ(help, succeed({verb, "--help"}));
+        expect_mentions(help, {"Examples:", (std::string("  meniscus ") + verb).c_str()});
+        EXPECT_EQ(help.find("9223372036854775807"), std::string::npos) << help;
+        std::istringstream lines(help);
+        for (std::string line; std::getline(lines, line);)
+            EXPECT_TRUE(line.size() <= 100 || line.find_first_of(' ', 30) == std::string::npos)
+                << line;
+    }
+    EXPECT_EQ(succeed({"help"}), succeed({"--help"}));
+    fail(2, {"help", "trian"}, {"'trian'", "did you mean 'train'?"});
+}
+
 TEST_F(Usage, Version) {
     EXPECT_EQ(succeed({"--version"}), std::string("meniscus ") + program_version + "\n");
+    EXPECT_EQ(succeed({"-V"}), succeed({"--version"}));
+}
+
+TEST_F(Usage, SaysWhatWasPerhapsMeant) {
+    fail(2, {"lable", "x.vtk"}, {"no verb 'lable'", "did you mean 'label'?"});
+    fail(2, {"label", "x.vtk", "-o", "out", "--suport-radius", "1"},
+         {"label has no option '--suport-radius'", "did you mean '--support-radius'?",
+          "meniscus label --help"});
+    fail(2, {"classify", "x.vtk", "-o", "out", "--surface-tensoin=1"},
+         {"'--surface-tensoin'", "did you mean '--surface-tension'?"});
+    fail(2, {"audit"}, {"LABELLED", "meniscus audit --help"});
+    const Outcome far = run(program + Words{"zzzzzzzz"});
+    EXPECT_EQ(far.errors.find("did you mean"), std::string::npos) << far.errors;
+}
+
+TEST_F(Usage, CompletionAndManualKnowEveryVerbAndItsOptions) {
+    const std::string page = succeed({"man"});
+    for (const char* verb : verbs)
+        expect_mentions(page, {(std::string(".SS meniscus ") + verb + "\n").c_str()});
+    expect_mentions(page,
+                    {"\\-\\-support\\-radius", "\\-\\-curvature\\-passes", ".SH EXIT STATUS"});
+    const Path bash = write("completion.bash", succeed({"completion", "bash"}));
+    const auto completed = [&](const std::string& words, int place) {
+        return run({"bash", "-c",
+                    "source " + bash.string() + "; COMP_WORDS=(" + words + "); COMP_CWORD=" +
+                        std::to_string(place) + "; _meniscus; echo ${COMPREPLY[@]}"})
+            .output;
+    };
+    EXPECT_EQ(completed("meniscus cla", 1), "classify\n");
+    EXPECT_EQ(completed("meniscus label --supp", 2), "--support-radius\n");
+    EXPECT_EQ(completed("meniscus label --method mon", 3), "monte-carlo\n");
+    EXPECT_EQ(completed("meniscus help tra", 2), "train\n");
+    expect_mentions(succeed({"completion", "zsh"}), {"#compdef meniscus", "--support-radius["});
+    fail(2, {"completion", "fish"}, {"fish"});
 }
 
 TEST_F(Usage, UnknownVerbsAndOptionsAreNamed) {
@@ -29,7 +80,7 @@ TEST_F(Usage, UnknownVerbsAndOptionsAreNamed) {
         fail(2, {verb, "--no-such-option"}, {"--help"});
     fail(2, {"demo", "--no-such-option"}, {"--no-such-option"});
     fail(2, {"label", sample("droplet_iisph_01")}, {"--output", "required"});
-    fail(2, {"audit", sample("droplet_iisph_01")}, {"--model", "required"});
+    fail(2, {"export", "model.json"}, {"--output", "required"});
 }
 
 TEST_F(Usage, OptionsOutOfRangeAreNamed) {

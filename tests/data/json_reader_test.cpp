@@ -25,6 +25,9 @@ TEST(JsonReader, NamesTheNearestSpelling) {
 
 TEST(JsonReader, CountsExchangedNeighborsAsOneEdit) {
     EXPECT_EQ(nearest_spelling("ab", {"cc", "ba"}), "ba"); // both are two replacements off
+    EXPECT_EQ(likely_spelling("lable", {"audit", "label"}), "label");
+    EXPECT_EQ(likely_spelling("zzz", {"audit", "label"}), "");
+    EXPECT_EQ(likely_spelling("label", {}), "");
 }
 
 TEST(JsonReader, NamesWrongKeysWithTheirPath) {

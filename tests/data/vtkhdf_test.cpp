@@ -122,6 +122,23 @@ TEST_F(Vtkhdf, KeepsSinglePrecision) {
     expect_same(written_and_read(snapshot), snapshot);
 }
 
+TEST_F(Vtkhdf, HeaderIsAllButTheParticles) {
+    const Snapshot snapshot = sample(40);
+    write_vtkhdf(snapshot, folder / "whole.vtkhdf");
+    const Snapshot header = read_vtkhdf_header(folder / "whole.vtkhdf");
+    EXPECT_EQ(header.size(), 0U);
+    EXPECT_EQ(header.dimension, snapshot.dimension);
+    EXPECT_EQ(header.time, snapshot.time);
+    EXPECT_EQ(header.support_radius, snapshot.support_radius);
+    EXPECT_EQ(header.scene, snapshot.scene);
+    EXPECT_EQ(header.provenance, snapshot.provenance);
+    EXPECT_EQ(header.point_data.size(), snapshot.point_data.size());
+    EXPECT_NE(find_array(header, "velocity"), nullptr);
+    const std::string bytes = bytes_of(folder / "whole.vtkhdf");
+    write("cut.vtkhdf", bytes.substr(0, bytes.size() / 2));
+    EXPECT_THROW(read_vtkhdf_header(folder / "cut.vtkhdf"), InputError);
+}
+
 TEST_F(Vtkhdf, KeepsTheBoundary) {
     for (const std::size_t particles : {1, 100'000}) { // stored as they are, and in several chunks
         Snapshot snapshot = sample(3);

@@ -44,6 +44,8 @@ foreach(file bin/meniscus include/meniscus/runtime/version.hpp
         include/meniscus/data/formats/vtkhdf.hpp
         include/meniscus/labeler/labeler.hpp share/meniscus/samples/droplet_iisph_01.vtkhdf
         share/meniscus/models/surface_3d.json share/meniscus/scenes/dam_break.json
+        share/man/man1/meniscus.1 share/bash-completion/completions/meniscus
+        share/zsh/site-functions/_meniscus
         share/meniscus/scenes/meshes/glass.obj include/meniscus/data/particles/boundary_sampling.hpp
         include/meniscus/meniscus.h)
     if(NOT EXISTS ${prefix}/${file})

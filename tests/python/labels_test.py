@@ -13,7 +13,7 @@ class Labels(CommandTest):
             self.assert_same(getattr(labels, name), expected.arrays[name])
         self.assert_same_arrays(labels.snapshot.arrays, expected.arrays)
         self.assertEqual(labels.snapshot.particle_volume, expected.particle_volume)
-        of_files = {name: expected.provenance.pop(name, None) for name in ("input", "input_hash")}
+        of_files = {name: expected.provenance.pop(name, None) for name in ("input", "input_hash", "request")}
         self.assertEqual(len(of_files["input_hash"]), 64)
         self.assertEqual(labels.snapshot.provenance, expected.provenance)
 
@@ -43,7 +43,7 @@ class Labels(CommandTest):
     def test_a_written_file_is_that_of_the_command(self):
         file = self.labelled()
         labelled = meniscus.label(meniscus.read(DROPLET)).snapshot
-        for name in "input", "input_hash":
+        for name in "input", "input_hash", "request":
             labelled.provenance[name] = meniscus.read(file).provenance[name]
         meniscus.write(labelled, self.folder / "ours.vtkhdf")
         self.assertEqual((self.folder / "ours.vtkhdf").read_bytes(), file.read_bytes())

@@ -30,7 +30,7 @@ class Line:
         self._model = model
 
     @classmethod
-    def train(cls, states: Iterable[State], *, label_threshold: float = 0,
+    def train(cls, states: Iterable[State], *, label_threshold: float = 0.02,
               features: Sequence[str] = (), second_features: Sequence[str] = (),
               objective: str = "neyman-pearson", keep_k: Optional[Line] = None, seed: int = 1,
               scene: str = "") -> Line:

@@ -1,8 +1,7 @@
-// What every audit does with its files, whatever it judges: reads one after the other and adds up
-// rows by scene.
+// What every audit does with its files, whatever it judges: reads them and adds up rows by scene.
 #pragma once
 
-#include <meniscus/classifier/audit/report.hpp>
+#include <meniscus/classifier/audit/audit.hpp>
 #include <meniscus/classifier/training_set/labelled_state.hpp>
 
 #include <cstdint>
@@ -19,9 +18,16 @@ std::vector<std::uint8_t> valid_particles(const Snapshot& snapshot, const std::s
 /// The row of one file.
 using Judge = std::function<AuditRow(const Snapshot& snapshot, const LabelledState& state)>;
 
-/// The report but for what was judged. Throws InputError where there are no files, and where a file
-/// cannot be read or was not labelled.
+/// Reads a file and judges it; `scene` replaces its own where it is not empty. Throws InputError
+/// where the file cannot be read or was not labelled.
+AuditedFile judged_file(const std::filesystem::path& file, const std::string& scene,
+                        const Judge& judge);
+
+/// The report on files in their order, but for what was judged.
+AuditReport sum_of_files(const std::vector<AuditedFile>& files, double label_threshold);
+
+/// Both for one file after the other. Throws InputError where there are no files, too.
 AuditReport audit_files(const std::vector<std::filesystem::path>& files,
-                        const AuditOptions& options, const Judge& judge);
+                        const AuditOptions& options, double label_threshold, const Judge& judge);
 
 } // namespace meniscus

@@ -49,6 +49,20 @@ bool is_text(std::string_view bytes) {
     });
 }
 
+/// What JSON of the project's own is, which is no snapshot; empty for other files.
+std::string own_json(std::string_view begin) {
+    const auto has = [&](std::string_view part) {
+        return begin.find(part) != std::string_view::npos;
+    };
+    if (begin.substr(0, 1) != "{")
+        return {};
+    if (has("\"meniscus model\"") || has("\"meniscus curvature model\""))
+        return "a model; give it by --model, and snapshots here";
+    if (has("\"particle_spacing\"") && has("\"fluid\""))
+        return "a scene; `meniscus simulate` makes snapshots of it";
+    return {};
+}
+
 /// True where the first line is numbers between spaces or separators.
 bool begins_with_numbers(std::string_view text) {
     std::string line(text.substr(0, text.find('\n')));
@@ -72,6 +86,8 @@ std::string description_of(const std::filesystem::path& file) {
     const std::string extension = lowered(file.extension().string());
     if (extension == ".bi4" || extension == ".ibi4")
         return "DualSPHysics' own binary format; convert it by PartVTK (-savevtk or -savecsv)";
+    if (std::string own = own_json(begin); !own.empty())
+        return own;
     for (const Signature& signature : signatures)
         if (begin.substr(0, signature.begin.size()) == signature.begin)
             return signature.description;

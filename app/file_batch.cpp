@@ -1,0 +1,212 @@
+#include "file_batch.hpp"
+
+#include "frame_series.hpp"
+
+#include <meniscus/data/text/errors.hpp>
+#include <meniscus/data/threads/threads.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <fmt/format.h>
+#include <mutex>
+#include <optional>
+#include <system_error>
+
+namespace meniscus {
+namespace {
+
+constexpr std::size_t max_lines = 20;           // more files get a summary
+constexpr std::size_t max_warnings = 5;         // in front of a summary
+constexpr std::uintmax_t small_file = 32 << 20; // bytes; each thread holds one
+constexpr std::size_t files_a_thread = 2;       // fewer leave threads without work
+
+bool are_many_and_small(const std::vector<Path>& files, int threads) {
+    if (files.size() < files_a_thread * static_cast<std::size_t>(threads))
+        return false;
+    return std::all_of(files.begin(), files.end(), [](const Path& file) {
+        std::error_code unknown;
+        const auto bytes = std::filesystem::file_size(file, unknown);
+        return unknown || bytes <= small_file;
+    });
+}
+
+/// Gathers what is said of files, from any thread, and prints it in their order.
+class Reports {
+public:
+    Reports(const std::vector<Path>& its_files, const FileBatch& its_batch)
+        : files(its_files), batch(its_batch), waiting(its_files.size()), line(its_batch.quiet) {}
+
+    void add(std::size_t file, FileReport report, const std::exception_ptr& failure) {
+        const std::lock_guard alone(lock);
+        waiting[file] = Entry{std::move(report), failure};
+        ++done;
+        while (next < waiting.size() && waiting[next]) {
+            print(*waiting[next]);
+            waiting[next].reset(); // its memory
+            ++next;
+        }
+        show_progress();
+    }
+
+    /// The end, once all files are there or one has failed.
+    void finish() {
+        line.clear();
+        if (ending)
+            std::rethrow_exception(ending);
+        print_summary();
+        if (failed > 0)
+            throw InputError(fmt::format("{} of {} files could not be {}, the first one {}; the "
+                                         "others were",
+                                         failed, files.size(), batch.done, first_failed));
+    }
+
+    [[nodiscard]] bool should_stop() const { return stop; }
+
+private:
+    struct Entry {
+        FileReport report;
+        std::exception_ptr failure;
+    };
+    using Clock = std::chrono::steady_clock;
+
+    const std::vector<Path>& files;
+    const FileBatch& batch;
+    std::mutex lock;
+    std::vector<std::optional<Entry>> waiting;
+    StatusLine line;
+    Clock::time_point start = Clock::now();
+    std::atomic<bool> stop{false};
+    std::size_t next = 0; ///< to be printed
+    std::size_t done = 0;
+    std::size_t failed = 0;
+    std::size_t up_to_date = 0;
+    std::size_t with_warnings = 0;
+    bool shown_one = false;
+    std::string first_failed;
+    std::exception_ptr ending; ///< what the work ends with early
+    std::array<std::size_t, 3> counts{};
+
+    [[nodiscard]] bool gets_summary() const { return files.size() > max_lines; }
+
+    void print(const Entry& entry) {
+        if (entry.failure) {
+            note_failure(entry.failure);
+            return;
+        }
+        const FileReport& report = entry.report;
+        up_to_date += report.is_up_to_date ? 1 : 0;
+        for (std::size_t c = 0; c < counts.size(); ++c)
+            counts[c] += report.counts[c];
+        with_warnings += report.warnings.empty() ? 0 : 1;
+        if (!gets_summary() || with_warnings <= max_warnings)
+            for (const std::string& warning : report.warnings) {
+                line.clear();
+                print_error_line("warning: " + warning);
+            }
+        if (!batch.quiet && (!gets_summary() || (!report.is_up_to_date && !shown_one))) {
+            line.clear();
+            print_text(report.text);
+            std::fflush(stdout);
+            shown_one = shown_one || !report.is_up_to_date;
+        }
+    }
+
+    void note_failure(const std::exception_ptr& failure) {
+        try {
+            std::rethrow_exception(failure);
+        } catch (const InputError& error) {
+            first_failed = failed == 0 ? files[next].string() : first_failed;
+            ++failed;
+            if (!batch.keep_going)
+                end_with(failure);
+            line.clear();
+            if (batch.keep_going)
+                print_error_line(error.what());
+        } catch (...) { // the machine's
+            end_with(failure);
+        }
+    }
+
+    void end_with(const std::exception_ptr& failure) {
+        ending = ending ? ending : failure;
+        stop = true;
+    }
+
+    void show_progress() {
+        if (files.size() < 2 || done == files.size())
+            return;
+        line.show([&] {
+            const double passed = std::chrono::duration<double>(Clock::now() - start).count();
+            const double left =
+                passed * static_cast<double>(files.size() - done) / static_cast<double>(done);
+            return fmt::format("{}: file {} of {}, {} left", batch.doing, done, files.size(),
+                               span_text(left));
+        });
+    }
+
+    void print_summary() const {
+        if (with_warnings > max_warnings && gets_summary())
+            print_error_line(fmt::format("warning: {} files in all have such warnings; each shows "
+                                         "its own when it is given alone",
+                                         with_warnings));
+        if (batch.quiet || !gets_summary() || batch.counted[0] == nullptr)
+            return;
+        const std::size_t worked_on = files.size() - up_to_date - failed;
+        std::string text = fmt::format("{} files: {} {}", files.size(), worked_on, batch.done);
+        if (up_to_date > 0)
+            text += fmt::format(", {} up to date", up_to_date);
+        if (failed > 0)
+            text += fmt::format(", {} at fault", failed);
+        for (std::size_t c = 0; c < counts.size() && worked_on > 0; ++c)
+            text += fmt::format("{} {} {}", c == 0 ? ";" : ",", counts[c], batch.counted[c]);
+        print_text(text + "\n");
+    }
+};
+
+} // namespace
+
+void add_keep_going_option(CLI::App& verb, bool& keep_going) {
+    verb.add_flag("--keep-going", keep_going,
+                  "Go on with the other files where one is at fault; the exit status is 2 in the "
+                  "end");
+}
+
+void for_each_file(const std::vector<Path>& files, const FileBatch& batch,
+                   const std::function<FileReport(std::size_t, int)>& work) {
+    const int threads = thread_count(batch.threads);
+    const bool in_parallel = threads > 1 && are_many_and_small(files, threads);
+    Reports reports(files, batch);
+    const auto count = static_cast<std::int64_t>(files.size());
+#pragma omp parallel for num_threads(in_parallel ? threads : 1) schedule(dynamic, 1)
+    for (std::int64_t f = 0; f < count; ++f) {
+        if (reports.should_stop() || interrupt_is_waiting())
+            continue;
+        const auto file = static_cast<std::size_t>(f);
+        FileReport report;
+        std::exception_ptr failure; // must not leave the parallel region
+        try {
+            report = work(file, in_parallel ? 1 : batch.threads);
+        } catch (...) {
+            failure = std::current_exception();
+        }
+        reports.add(file, std::move(report), failure);
+    }
+    reports.finish();
+}
+
+void write_for_each_file(const std::vector<Path>& files, const std::vector<Path>& outputs,
+                         const FileBatch& batch,
+                         const std::function<FileReport(std::size_t, int)>& work) {
+    try {
+        for_each_file(files, batch, work);
+    } catch (const InputError&) {
+        if (batch.keep_going)
+            write_frame_series(outputs);
+        throw;
+    }
+    write_frame_series(outputs);
+}
+
+} // namespace meniscus
