@@ -1,8 +1,10 @@
 // meniscus audit: false negatives and false positives of a model, scene by scene.
 #include "command_line.hpp"
 
+#include <meniscus/app/report/report.hpp>
 #include <meniscus/classifier/audit/audit.hpp>
 #include <meniscus/data/text/errors.hpp>
+#include <meniscus/data/text/files.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +20,7 @@ struct AuditCommand {
     Path model;
     AuditOptions audit;
     std::string format = "table";
+    std::optional<Path> report; ///< page to write
     std::optional<std::size_t> max_false_negatives;
     std::optional<double> max_false_positive_rate;
     bool quiet = false;
@@ -41,6 +44,11 @@ void run_audit(const AuditCommand& command) {
     if (std::isnan(command.max_false_positive_rate.value_or(0)))
         throw InputError("--max-false-positive-rate must be a number from 0 to 1, found nan");
     const Model model = read_model(command.model);
+    if (command.report) {
+        check_can_be_written(*command.report);
+        check_is_not_an_input(*command.report, command.inputs);
+        check_is_not_an_input(*command.report, {command.model});
+    }
     const AuditReport report = audit(model, command.inputs, command.audit);
     for (const std::string& warning : report.warnings)
         print_error_line("warning: " + warning);
@@ -49,6 +57,8 @@ void run_audit(const AuditCommand& command) {
                                                  : to_table;
     if (!command.quiet || command.format != "table")
         fmt::print("{}", print(report));
+    if (command.report)
+        write_report(*command.report, report_page(report, command.inputs, command.audit));
     check_limits(command, report);
 }
 
@@ -69,6 +79,9 @@ void add_audit(CLI::App& command) {
     verb->add_option("--format", options->format, "table, json or csv")
         ->check(CLI::IsMember({"table", "json", "csv"}))
         ->capture_default_str();
+    verb->add_option("--report", options->report,
+                     "Page of HTML to write: the states, their features and the line, to look at "
+                     "in any browser");
     verb->add_option("--max-false-negatives", options->max_false_negatives,
                      "Exit with status 1 above this many, over all files, in float or double")
         ->check(whole_numbers());

@@ -14,6 +14,7 @@
 namespace meniscus {
 
 using Path = std::filesystem::path;
+struct ReportPage;
 
 /// A limit that the user asked for is exceeded: exit status 1.
 class LimitExceeded : public std::runtime_error {
@@ -30,6 +31,7 @@ void add_export(CLI::App& command);
 void add_audit(CLI::App& command);
 void add_classify(CLI::App& command);
 void add_demo(CLI::App& command);
+void add_picture(CLI::App& command);
 void add_bench(CLI::App& command); // where the benchmarks are built
 
 /// Adds --quiet to a verb.
@@ -59,6 +61,9 @@ void make_writable_folder(const Path& folder);
 
 /// Throws InputError where `output` is one of the files that it is made from.
 void check_is_not_an_input(const Path& output, const std::vector<Path>& inputs);
+
+/// Writes the page of a report and prints its warnings on standard error.
+void write_report(const Path& file, const ReportPage& page);
 
 /// A bar on standard error while something long runs; silent where that is no terminal.
 class ProgressBar {

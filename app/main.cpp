@@ -61,6 +61,7 @@ int main(int argument_count, char** arguments) {
         meniscus::add_audit(command);
         meniscus::add_classify(command);
         meniscus::add_demo(command);
+        meniscus::add_picture(command);
 #if MENISCUS_HAS_BENCH
         meniscus::add_bench(command);
 #endif

@@ -7,8 +7,8 @@ namespace {
 
 using Usage = CommandLine;
 
-constexpr const char* verbs[] = {"simulate", "label",    "train", "export",
-                                 "audit",    "classify", "demo",  "bench"};
+constexpr const char* verbs[] = {"simulate", "label", "train",   "export", "audit",
+                                 "classify", "demo",  "picture", "bench"};
 
 TEST_F(Usage, HelpOfEveryVerb) {
     const std::string overview = succeed({"--help"});
