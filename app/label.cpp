@@ -1,6 +1,7 @@
 // meniscus label: ground truth for snapshots of any format.
 #include "label.hpp"
 
+#include <meniscus/app/report/report.hpp>
 #include <meniscus/data/formats/vtkhdf.hpp>
 #include <meniscus/data/particles/feature_names.hpp>
 #include <meniscus/data/particles/particle_arrays.hpp>
@@ -119,9 +120,15 @@ std::vector<Path> run_label(const LabelCommand& command) {
     auto outputs = output_files(command.files);
     const Boundary boundary = read_boundary(command.boundary);
     make_writable_folder(command.files.folder);
+    if (command.report) {
+        check_can_be_written(*command.report);
+        check_is_not_an_input(*command.report, command.files.inputs);
+    }
     for (std::size_t f = 0; f < outputs.size(); ++f)
         naming_file(command.files.inputs[f],
                     [&] { label_file(command.files.inputs[f], outputs[f], boundary, command); });
+    if (command.report)
+        write_report(*command.report, report_page(outputs, {0, {}, command.label.threads}));
     return outputs;
 }
 
@@ -207,6 +214,9 @@ void add_label(CLI::App& command) {
         "--skip-invalid", options->label.skip_invalid,
         "Leave particles out, with valid = 0, whose position is not finite or lies too far "
         "out for its number type");
+    verb->add_option("--report", options->report,
+                     "Page of HTML to write: the states and what covers each particle, to look at "
+                     "in any browser");
     add_threads_option(*verb, options->label.threads);
     add_quiet_option(*verb, options->quiet);
     verb->callback([options, settle_method] {

@@ -55,7 +55,7 @@ const PointArray& array_named(const Snapshot& snapshot, const std::string& name)
 
 /// Values of one component, or lengths.
 std::vector<double> numbers_of(const PointArray& array) {
-    const std::vector<double> values = as_doubles(array);
+    std::vector<double> values = as_doubles(array);
     if (array.components == 1)
         return values;
     const auto components = static_cast<std::size_t>(array.components);

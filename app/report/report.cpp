@@ -45,11 +45,9 @@ std::string left_out_text(const std::string& file, std::size_t particles) {
            "; they count in its table. Give fewer files to see this one";
 }
 
-} // namespace
-
-ReportPage report_page(const AuditReport& report, const std::vector<std::filesystem::path>& files,
-                       const AuditOptions& options) {
-    ReportPage page;
+/// The states of files, in the features of a model, and what is left out of them.
+Json states_json(const Model& model, const std::vector<std::filesystem::path>& files,
+                 const AuditOptions& options, std::vector<std::string>& warnings) {
     std::size_t particles = 0;
     Json states = Json::array();
     for (const auto& file : files) {
@@ -60,22 +58,40 @@ ReportPage report_page(const AuditReport& report, const std::vector<std::filesys
         const Positions boundary = nearby_boundary(snapshot);
         const std::size_t more = state.size() + boundary.size();
         if (particles + more > max_report_particles) {
-            page.warnings.push_back(left_out_text(file.string(), more));
+            warnings.push_back(left_out_text(file.string(), more));
             continue;
         }
         particles += more;
-        states.push_back(state_json(snapshot, state, boundary, report.model, options));
+        states.push_back(state_json(snapshot, state, boundary, model, options));
     }
-    const Json data = {{"program", std::string("meniscus ") + program_version},
-                       {"label_threshold", report.label_threshold},
-                       {"model_file", std::filesystem::path(report.model.file).filename().string()},
-                       {"model", Json::parse(model_to_json(report.model))},
-                       {"planes", planes_json(report.model)},
-                       {"audit", Json::parse(to_json(report))},
-                       {"states", states},
-                       {"notes", page.warnings}};
+    return states;
+}
+
+ReportPage page_of(const Model& model, const std::vector<std::filesystem::path>& files,
+                   const AuditOptions& options, Json data) {
+    ReportPage page;
+    data["program"] = std::string("meniscus ") + program_version;
+    data["label_threshold"] = options.label_threshold;
+    data["planes"] = planes_json(model);
+    data["states"] = states_json(model, files, options, page.warnings);
+    data["notes"] = page.warnings;
     page.html = page_with(data);
     return page;
+}
+
+} // namespace
+
+ReportPage report_page(const AuditReport& report, const std::vector<std::filesystem::path>& files,
+                       const AuditOptions& options) {
+    return page_of(report.model, files, options,
+                   {{"model_file", std::filesystem::path(report.model.file).filename().string()},
+                    {"model", Json::parse(model_to_json(report.model))},
+                    {"audit", Json::parse(to_json(report))}});
+}
+
+ReportPage report_page(const std::vector<std::filesystem::path>& files,
+                       const AuditOptions& options) {
+    return page_of(Model(), files, options, {{"model", nullptr}, {"audit", nullptr}});
 }
 
 } // namespace meniscus

@@ -27,4 +27,9 @@ struct ReportPage {
 ReportPage report_page(const AuditReport& report, const std::vector<std::filesystem::path>& files,
                        const AuditOptions& options);
 
+/// The same for labels alone, without a line: the plane is of the paper's features, and surface is
+/// what the options' threshold makes it. Throws likewise.
+ReportPage report_page(const std::vector<std::filesystem::path>& files,
+                       const AuditOptions& options);
+
 } // namespace meniscus

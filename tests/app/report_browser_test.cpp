@@ -3,6 +3,8 @@
 
 #include <meniscus/classifier/model/model.hpp>
 
+#include <algorithm>
+
 namespace meniscus {
 namespace {
 
@@ -18,7 +20,7 @@ protected:
         labelled = label(sample("droplet_iisph_04"));
     }
 
-    [[nodiscard]] Json audit(const Path& model) const {
+    Json audit(const Path& model) const {
         return Json::parse(succeed({"audit", labelled, "--model", model, "--label-threshold",
                                     "0.02", "--format", "json", "--report", page}))["total"];
     }
@@ -100,10 +102,21 @@ TEST_F(Browser, ShowsThePickedParticleAndWhatCoversIt) {
         ++surface;
     const std::string document = shown("pick=" + std::to_string(surface));
     EXPECT_EQ(cell(document, "particle"), std::to_string(surface));
-    // Positions are rounded in the page: a neighbor at the limit may be taken for one beyond it.
-    EXPECT_NEAR(std::stod(cell(document, "caps of neighbors")), counts[surface], 1);
+    EXPECT_EQ(cell(document, "caps of neighbors"),
+              std::to_string(static_cast<int>(counts[surface])));
     EXPECT_NEAR(std::stod(cell(document, "uncovered fraction lambda")), lambda[surface], 1e-5);
     EXPECT_EQ(document.find("needs WebGL"), std::string::npos);
+}
+
+TEST_F(Browser, ShowsLabelsWithoutALine) {
+    succeed(
+        {"label", sample("droplet_iisph_04"), "-o", folder / "again", "--quiet", "--report", page});
+    const auto surface =
+        scalar_values(read_vtkhdf(folder / "again" / labelled.filename()), "surface");
+    const std::string document = shown("pick=0&d=3");
+    EXPECT_EQ(text(document, "surface"),
+              std::to_string(std::count(surface.begin(), surface.end(), 1)));
+    EXPECT_EQ(cell(document, "by label"), surface[0] != 0 ? "surface" : "interior");
 }
 
 } // namespace

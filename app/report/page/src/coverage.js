@@ -1,5 +1,7 @@
 // What covers the sphere of one particle: caps of its neighbors, as docs/labels.md has them. Positions
-// are rounded to the page's step here, so pairs within a step of a limit count as at it, and are out.
+// are rounded to the page's step here, which may put a neighbor at the limit h on its other side. Where
+// the neighbor count is of just these neighbors, it says how many of them, the nearest, cover; elsewhere
+// those within a step of the limit are out.
 
 // Particles in cells of one support radius.
 export class Cells {
@@ -39,11 +41,12 @@ export function capsOf(state, i) {
   const center = [...state.position.subarray(3 * i, 3 * i + 3)];
   const own = state.radii ? state.radii[i] : state.support_radius;
   const ratio = state.radius_ratio;
+  const isCounted = !state.radii && state.boundary.length === 0;
   const caps = [];
   const add = (h, dx, dy, dz, wall) => {
     const distance = Math.hypot(dx, dy, dz) / h;
-    const band = Math.max(1e-5, (1.5 * state.step) / h);
-    if (distance >= 1 - band || distance <= (1 - ratio) * (1 + band)) return;
+    const step = (1.5 * state.step) / h;
+    if (distance >= 1 + (isCounted ? step : -step) || distance <= 1 - ratio) return;
     const cosine = (distance * distance + 1 - ratio * ratio) / (2 * distance);
     caps.push({ direction: [dx, dy, dz].map((value) => value / (distance * h)), cosine, distance, wall });
   };
@@ -52,7 +55,8 @@ export function capsOf(state, i) {
     add(state.radii ? (own + state.radii[j]) / 2 : own, ...displacement, false);
   });
   state.cells.boundary.around(center, (j, ...displacement) => add(own, ...displacement, true));
-  return caps;
+  caps.sort((a, b) => a.distance - b.distance);
+  return isCounted ? caps.slice(0, state.neighborCount[i]) : caps;
 }
 
 // Directions spread evenly over the sphere, or in two dimensions over the circle.

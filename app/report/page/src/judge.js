@@ -9,7 +9,8 @@ const lineOf = ({ k, d }, [ofX, ofY]) => ({ k: (k * ofY) / ofX, d: d * ofY });
 // Sets state.predicted by all lines together and returns the counts.
 export function judge(state, lines) {
   const { count, neighborCount, predicted, surface, lambda } = state;
-  predicted.fill(1);
+  if (lines.length === 0) predicted.set(surface);
+  else predicted.fill(1);
   lines.forEach((line, p) => {
     const { x, y, scales } = state.planes[p];
     const { k, d } = lineOf(line, scales);
@@ -19,7 +20,7 @@ export function judge(state, lines) {
   const counts = noCounts();
   counts.particles = count;
   for (let i = 0; i < count; ++i) {
-    if (neighborCount[i] === 0) predicted[i] = 1; // alone: surface whatever the line
+    if (lines.length > 0 && neighborCount[i] === 0) predicted[i] = 1; // alone: surface whatever the line
     if (surface[i]) {
       counts.surface++;
       counts.area += lambda[i];

@@ -13,7 +13,8 @@ import { countTexts, showSources, showTable } from "./table.js";
 const $ = (id) => document.getElementById(id);
 const report = readReport();
 const states = report.states.map((_, s) => report.state(s));
-const lines = report.planes.map(({ k, d, above }) => ({ k, d, above }));
+const isJudged = report.audit !== null; // else there are labels and no line
+const lines = isJudged ? report.planes.map(({ k, d, above }) => ({ k, d, above })) : [];
 const chosen = { state: 0, line: 0, picked: -1 };
 let counts = [];
 let ranges;
@@ -44,20 +45,25 @@ function lineText({ k, d, above }, { features }) {
 }
 
 function showHeading() {
+  $("program").textContent = `Written by ${report.program}.`;
+  if (!isJudged) {
+    $("title").textContent = "What the labels say of these states";
+    $("heading").textContent = `Surface: more than ${+(100 * report.label_threshold).toPrecision(3)} % of the sphere is uncovered.`;
+    return;
+  }
   const { objective, label_threshold: trainedAt } = report.model;
   const model = report.planes.map((plane) => lineText(plane, plane)).join(" and ");
   $("heading").textContent =
     `${report.model_file}: surface where ${model} (${objective}); by label where more than ` +
     `${+(100 * report.label_threshold).toPrecision(3)} % of the sphere is uncovered` +
     (trainedAt === report.label_threshold ? "." : `; trained at ${+(100 * trainedAt).toPrecision(3)} %.`);
-  $("program").textContent = `Written by ${report.program}.`;
 }
 
 function showNotes() {
-  const notes = [...report.notes, ...report.audit.warnings];
+  const notes = [...report.notes, ...(report.audit?.warnings ?? [])];
   const byPage = sum(counts);
-  const { total } = report.audit;
-  const differ = Math.abs(byPage.missed - total.false_negatives) + Math.abs(byPage.passed - total.false_positives);
+  const audited = report.audit?.total ?? { false_negatives: 0, false_positives: 0 };
+  const differ = Math.abs(byPage.missed - audited.false_negatives) + Math.abs(byPage.passed - audited.false_positives);
   if (report.notes.length === 0 && differ > 0)
     notes.push(`${differ} particles lie so close to the line that this page rounds them to its other side.`);
   $("notes").replaceChildren(...notes.map((note) => {
@@ -75,6 +81,7 @@ function setSlider(id, value, [low, high]) {
 }
 
 function showSliders() {
+  if (!isJudged) return;
   const line = lines[chosen.line];
   const [x, y] = [ranges.x[1] - ranges.x[0], ranges.y[1] - ranges.y[0]];
   setSlider("k", line.k, [-(2 * y) / x, (4 * y) / x]);
@@ -94,9 +101,10 @@ function showPlane() {
     picked: i >= 0 ? [plane.x[i] / plane.scales[0], plane.y[i] / plane.scales[1]] : null,
   });
   $("plane").title = `${features[0]}: ${meanings[0]}\n${features[1]}: ${meanings[1]}`;
+  const errors = [[themeColor("missed"), "false negatives (crosses)"], [themeColor("passed"), "false positives"]];
   showLegend($("plane-legend"), [
-    [themeColor("surface"), "surface, found"], [themeColor("interior"), "interior"],
-    [themeColor("missed"), "false negatives (crosses)"], [themeColor("passed"), "false positives"],
+    [themeColor("surface"), isJudged ? "surface, found" : "surface"], [themeColor("interior"), "interior"],
+    ...(isJudged ? errors : []),
   ]);
 }
 
@@ -104,6 +112,10 @@ function showCounts() {
   const all = sum(inScope().map((s) => counts[s]));
   const texts = countTexts(all);
   for (const id in texts) $(id).textContent = texts[id];
+  if (!isJudged) {
+    $("plane").setAttribute("aria-label", `Particles in the plane of ${report.planes[0].features.join(" and ")}`);
+    return;
+  }
   $("plane").setAttribute("aria-label",
     `Particles in the plane of ${report.planes[chosen.line].features.join(" and ")}, with the line ` +
     `${lineText(lines[chosen.line], report.planes[chosen.line])}: ${all.missed} false negatives, ${all.passed} false positives`);
@@ -207,7 +219,7 @@ function showPicked() {
     row("particle", nameOf(state, i)),
     row("position in m", [0, 1, 2].slice(0, state.dimension).map(metres).join(", ")),
     row("uncovered fraction lambda", +state.lambda[i].toPrecision(6)),
-    row("it is", { interior: "interior", passed: "a false positive", missed: "a false negative", surface: "surface, found" }[verdict]),
+    row(isJudged ? "it is" : "by label", !isJudged ? ["interior", "surface"][state.surface[i]] : { interior: "interior", passed: "a false positive", missed: "a false negative", surface: "surface, found" }[verdict]),
   ];
   report.planes.forEach(({ features }, p) => {
     const plane = state.planes[p];
@@ -219,7 +231,7 @@ function showPicked() {
   if (state.curvature) rows.push(row("mean curvature in 1/m", +state.curvature[i].toPrecision(5)));
   rows.push(row("caps of neighbors", caps.filter(({ wall }) => !wall).length));
   rows.push(row("caps of walls", caps.filter(({ wall }) => wall).length));
-  if (caps.length > maxCaps) rows.push(row("drawn", `the first ${maxCaps} caps`));
+  if (caps.length > maxCaps) rows.push(row("drawn", `the nearest ${maxCaps} caps`));
   $("picked-numbers").replaceChildren(...rows);
   $("sphere").setAttribute("aria-label",
     `Sphere of particle ${nameOf(state, i)} with ${caps.length} caps; ${(100 * state.lambda[i]).toPrecision(4)} % is uncovered`);
@@ -366,7 +378,7 @@ function readFragment() {
   for (const [name, id] of [["flip", "clip-flip"], ["walls", "walls"], ["normals", "normals"],
     ["surface", "only-surface"], ["spheres", "neighbor-spheres"]])
     if (words.has(name)) $(id).checked = words.get(name) !== "0";
-  for (const name of ["k", "d"]) if (Number.isFinite(number(name))) lines[chosen.line][name] = number(name);
+  if (isJudged) for (const name of ["k", "d"]) if (Number.isFinite(number(name))) lines[chosen.line][name] = number(name);
   scopeChanged();
   // One part of the page alone, for pictures of it.
   if (words.has("show"))
@@ -381,16 +393,17 @@ function start() {
   $("scene").append(...report.scenes.map((scene) => option(scene, scene)));
   $("line").append(...report.planes.map(({ features }, p) =>
     option(p, `${["first", "second"][p]}: ${features[1]} over ${features[0]}`)));
-  $("color").append(option("class", "class by label"), option("error", "error of the line"),
+  $("color").append(option("class", "class by label"), ...(isJudged ? [option("error", "error of the line")] : []),
     option("uncovered", "uncovered fraction"), option("curvature", "mean curvature"));
-  $("color").value = "error";
+  $("color").value = isJudged ? "error" : "class";
+  document.body.classList.toggle("labels-only", !isJudged);
   $("scope").value = "all";
   showHeading();
   showSources(report);
   judgeAll();
   showNotes();
   if (states.length === 0) {
-    showTable(report.audit, new Map(), undefined);
+    if (isJudged) showTable(report.audit, new Map(), undefined);
     return;
   }
   try {

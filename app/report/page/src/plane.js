@@ -141,7 +141,7 @@ export function paintPlane(canvas, { states, p, ranges, line, names, picked }) {
   };
   paintCells(context, cellsOf(states, p, ranges, area.width, area.height), area);
   paintMissed(context, states, p, area);
-  paintLine(context, line, ranges, area);
+  if (line) paintLine(context, line, ranges, area);
   paintAxes(context, ranges, area, names);
   if (picked) {
     context.strokeStyle = themeColor("ink");
