@@ -97,8 +97,11 @@ void run_picture(const PictureCommand& command) {
     std::optional<std::pair<double, double>> range;
     if (!command.range.empty())
         range = {command.range[0], command.range[1]};
-    if (range && !(range->first < range->second))
-        throw InputError("--range expects the smaller number first");
+    if (range && !(range->first < range->second && std::isfinite(range->first) &&
+                   std::isfinite(range->second)))
+        throw InputError("--range expects two finite numbers, the smaller one first");
+    if (!std::isfinite(command.view[0]) || !std::isfinite(command.view[1]))
+        throw InputError("--view expects two finite angles in degrees");
     const std::string bytes = naming_file(command.input, [&] {
         const Coloring coloring = coloring_of(snapshot, command.color, range);
         return file_of(draw_particles(snapshot, coloring, options_of(command, snapshot)),
@@ -137,7 +140,7 @@ void add_picture(CLI::App& command) {
     verb->add_option("--size", options->size, "Width and height in pixels")
         ->expected(2)
         ->delimiter(',')
-        ->check(CLI::Range(100, 8000))
+        ->check(CLI::Range(200, 4000))
         ->capture_default_str();
     verb->add_option("--title", options->title, "Words above (default: the scene)");
     verb->add_option("--diameter", options->diameter,

@@ -1,6 +1,7 @@
 #include "draw_particles.hpp"
 
 #include <meniscus/data/text/text.hpp>
+#include <meniscus/runtime/math/angles.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,6 @@ namespace {
 constexpr int margin = 24;
 constexpr int legend_height = 60;
 constexpr Color boundary_color = {190, 190, 190};
-constexpr double pi = 3.14159265358979323846;
 
 using Point = std::array<double, 3>;
 

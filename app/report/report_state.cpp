@@ -113,7 +113,7 @@ Json scales(const FeaturePair& pair, const LabelledState& state, const Model& mo
     const auto of = [&](std::size_t feature) {
         return feature_list[feature].is_fraction ? 1 : scale;
     };
-    return {of(pair.first), of(pair.second)};
+    return Json::array({of(pair.first), of(pair.second)});
 }
 
 Json plane_json(const FeaturePair& pair, const Line& line) {
@@ -171,7 +171,8 @@ void add_optional_arrays(const Snapshot& snapshot, const std::vector<std::size_t
 } // namespace
 
 Json planes_json(const Model& model) {
-    Json planes = {plane_json(model.features, model.line)};
+    Json planes = Json::array();
+    planes.push_back(plane_json(model.features, model.line));
     if (model.second)
         planes.push_back(plane_json(model.second->features, model.second->line));
     return planes;
@@ -205,8 +206,8 @@ Json state_json(const Snapshot& snapshot, const LabelledState& state, const Posi
                  {"count", valid.size()},
                  {"boundary_count", boundary.size()},
                  {"radius_ratio", state.radius_ratio},
-                 {"provenance", snapshot.provenance},
-                 {"scales", {scales(model.features, state, model)}}};
+                 {"provenance", snapshot.provenance}};
+    json["scales"].push_back(scales(model.features, state, model));
     if (model.second)
         json["scales"].push_back(scales(model.second->features, state, model));
     json["arrays"] = Json::object();

@@ -147,7 +147,9 @@ TEST_F(Picture, RefusesWhatItDoesNotUnderstand) {
     fail(2, words + Words{"--color", "warmth"}, {"balls.vtkhdf", "warmth", "heat", "class"});
     for (const char* cut : {"w", "x=1", "x<", "x<nan", "xx", "<"})
         fail(2, words + Words{"--cut", cut}, {"--cut", "y<0.2"});
-    fail(2, words + Words{"--range", "2,1"}, {"--range"});
+    for (const char* range : {"2,1", "nan,1", "-inf,inf"})
+        fail(2, words + Words{"--range", range}, {"--range"});
+    fail(2, words + Words{"--view", "nan,0"}, {"--view"});
     fail(2, words + Words{"--diameter", "0"}, {"--diameter"});
     fail(2, words + Words{"--size", "10,10"}, {"--size"});
     fail(2, {"picture", balls, "-o", folder / "picture.jpg"}, {"picture.jpg", ".png", ".svg"});
