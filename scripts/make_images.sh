@@ -27,12 +27,12 @@ sample=data/samples/dam_dfsph_08.vtkhdf
 model=configs/models/surface_3d.json
 "$meniscus" classify "$sample" --model "$model" -o "$work/classified" --quiet
 "$meniscus" picture "$work/classified/dam_dfsph_08.vtkhdf" -o "$work/cut_dam.png" --quiet \
-    --cut "z" --view 25,18 --size 1100,560 --title ""
+    --cut "z" --view 25,18 --size 900,560 --title ""
 cwebp -quiet -q 86 "$work/cut_dam.png" -o "$images/cut_dam.webp"
 
 "$meniscus" label "$work/classified/dam_dfsph_08.vtkhdf" -o "$work/labelled" --quiet
 "$meniscus" audit "$work"/labelled/*.vtkhdf --model "$model" --label-threshold 0.02 --quiet \
     --report "$work/page.html"
-shot feature_plane 760,640 "d=20&show=plane"
-shot report_page 1400,1180 "d=20&cut=z&pick=537" # a particle at the surface
+shot feature_plane 760,655 "d=20&show=plane"
+shot report_page 1400,1330 "d=20&cut=z&pick=537" # a particle at the surface
 ls -l "$images"
