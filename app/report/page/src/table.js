@@ -5,7 +5,7 @@ const percent = (value, digits = 2) => `${(100 * value).toFixed(digits)} %`;
 
 // Of each column: its name, its value for a row, how that is shown, and where it comes from.
 const columns = [
-  ["scene", (row) => row.scene, String, "`--scene`, else what the file stores, else its name without a frame number."],
+  ["scene", (row) => row.scene, String, "The option --scene, else what the file stores, else its name without a frame number."],
   ["files", (row) => row.files.length, String, "Labelled snapshots of the scene, and how many of them the model was trained on: told by the hash of their bytes."],
   ["trained on", (row) => row.files_trained_on, String, null],
   ["particles", (row) => row.particles, String, "Valid ones."],
