@@ -121,13 +121,14 @@ TEST_F(Picture, ClassesAreThoseOfClassifyElseOfTheLabel) {
     constexpr Color interior = {0, 114, 178};
     constexpr Color covered = {0, 158, 115};
     const Png labelled = png({label(droplet), "--cut", "z"});
-    EXPECT_GT(labelled.like(surface), 100U);
-    EXPECT_GT(labelled.like(interior), 100U);
+    constexpr std::size_t in_legend = 144;
+    EXPECT_GT(labelled.like(surface), 5 * in_legend);
+    EXPECT_GT(labelled.like(interior), 5 * in_legend);
     EXPECT_EQ(labelled.like(covered), 0U);
-    const Path model = Path(MENISCUS_MODELS) / "surface_3d.json";
+    const Path model = Path(MENISCUS_MODELS) / "surface_3d_strict.json"; // passes many
     succeed({"classify", droplet, "--model", model, "-o", folder / "classified", "--quiet"});
     const Png classified = png({folder / "classified" / droplet.filename(), "--cut", "z"});
-    EXPECT_GT(classified.like(covered), 50U);
+    EXPECT_GT(classified.like(covered), 2 * in_legend);
 }
 
 TEST_F(Picture, SvgHasItsWordsAsText) {

@@ -99,15 +99,15 @@ TEST_F(Report, HundredThousandParticlesAreBelowTenMegabytes) {
 
 TEST_F(Report, TextsOutOfFilesStayTexts) {
     const std::string hostile = "</script><img src=x onerror=alert(1)><!--\xe2\x80\xa8\"'&";
-    const Path labelled = label(save(block(6), "</title><b>.vtkhdf"));
+    const Path labelled = label(save(block(6), "<b onclick=x>.vtkhdf"));
     const std::string text =
         page({labelled, "--model", shipped("splishsplash_d28"), "--scene", hostile});
     EXPECT_EQ(text.find("<img"), std::string::npos);
-    EXPECT_EQ(text.find("</title><b>"), std::string::npos);
+    EXPECT_EQ(text.find("<b onclick"), std::string::npos);
     EXPECT_EQ(text.find("\xe2\x80\xa8"), std::string::npos);
     const Json data = report_data(text);
     EXPECT_EQ(data["states"][0]["scene"], hostile);
-    EXPECT_EQ(data["states"][0]["file"], "</title><b>.vtkhdf");
+    EXPECT_EQ(data["states"][0]["file"], "<b onclick=x>.vtkhdf");
     EXPECT_EQ(data["audit"]["scenes"][0]["scene"], hostile);
 }
 
@@ -121,6 +121,7 @@ TEST_F(Report, AsksNothingOfTheNetwork) {
 
 TEST_F(Report, FlatStatesAndWallsAreInIt) {
     Snapshot flat = block(9, 2);
+    flat.particle_volume = 0.245; // within what the model was trained on
     for (int b = -3; b < 12; ++b)
         flat.boundary.push_back({0.5 * b, -0.5, 0});
     flat.boundary.push_back({1000, 0, 0}); // too far to be seen
