@@ -1,10 +1,5 @@
 #include "report_page.hpp"
 
-#include <meniscus/app/report/report.hpp>
-#include <meniscus/classifier/model/model.hpp>
-
-#include <cmath>
-
 namespace meniscus {
 namespace {
 
