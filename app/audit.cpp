@@ -5,8 +5,10 @@
 #include "shipped_models.hpp"
 #include "usage.hpp"
 
+#include <meniscus/app/report/report.hpp>
 #include <meniscus/classifier/audit/audit.hpp>
 #include <meniscus/data/text/errors.hpp>
+#include <meniscus/data/text/files.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +29,7 @@ struct AuditCommand {
     std::optional<std::int64_t> flag_min;
     AuditOptions audit;
     std::string format = "table";
+    std::optional<Path> report; ///< page to write
     std::optional<std::size_t> max_false_negatives;
     std::optional<double> max_false_positive_rate;
     bool quiet = false;
@@ -128,12 +131,22 @@ AuditReport make_report(const std::vector<Path>& files, const AuditCommand& comm
     return audit_report(model, command.audit, audited.files);
 }
 
+void check_page(const Path& page, const std::vector<Path>& files, const AuditCommand& command) {
+    if (!command.detector.empty() || !command.flag.empty())
+        throw InputError("--report draws a model's line; leave it out with --detector and --flag");
+    check_can_be_written(page);
+    check_is_not_an_input(page, files);
+    check_is_not_an_input(page, {command.model.value_or("")});
+}
+
 void run_audit(const AuditCommand& command) {
     check_what_is_judged(command);
     if (std::isnan(command.max_false_positive_rate.value_or(0)))
         throw InputError("--max-false-positive-rate must be a number from 0 to 1, found nan");
     check_label_threshold(command.audit.label_threshold.value_or(0));
     const std::vector<Path> files = input_files(command.inputs);
+    if (command.report)
+        check_page(*command.report, files, command);
     std::optional<InputError> at_fault;
     const AuditReport report = make_report(files, command, at_fault);
     for (const std::string& warning : report.warnings)
@@ -143,6 +156,11 @@ void run_audit(const AuditCommand& command) {
                                                  : to_table;
     if (!command.quiet || command.format != "table")
         print_text(print(report));
+    if (command.report) {
+        AuditOptions options = command.audit;
+        options.label_threshold = report.label_threshold;
+        write_report(*command.report, report_page(report, files, options));
+    }
     if (at_fault)
         throw *at_fault;
     check_limits(command, report);
@@ -178,6 +196,9 @@ void add_audit(CLI::App& command) {
     verb->add_option("--format", options->format, "table, json or csv")
         ->check(CLI::IsMember({"table", "json", "csv"}))
         ->capture_default_str();
+    verb->add_option("--report", options->report,
+                     "Page of HTML to write: the states, their features and the line, to look at "
+                     "in any browser");
     verb->add_option("--max-false-negatives", options->max_false_negatives,
                      "Exit with status 1 above this many, over all files, in float or double")
         ->check(whole_numbers());

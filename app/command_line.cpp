@@ -2,9 +2,11 @@
 
 #include "threads.hpp"
 
+#include <meniscus/app/report/report.hpp>
 #include <meniscus/data/formats/vtkhdf.hpp>
 #include <meniscus/data/particles/generic_names.hpp>
 #include <meniscus/data/text/errors.hpp>
+#include <meniscus/data/text/files.hpp>
 #include <meniscus/data/threads/threads.hpp>
 
 #include <atomic>
@@ -157,6 +159,15 @@ void make_writable_folder(const Path& folder) {
         throw InputError(failure);
     if (access(folder.c_str(), W_OK) != 0)
         throw InputError(fmt::format("{}: the output folder is not writable", folder.string()));
+}
+
+void write_report(const Path& file, const ReportPage& page) {
+    {
+        const WriteGuard guard;
+        write_whole(file, page.html);
+    }
+    for (const std::string& warning : page.warnings)
+        print_error_line("warning: " + warning);
 }
 
 ProgressBar::ProgressBar(std::string title, std::size_t total, bool quiet)

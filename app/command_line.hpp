@@ -17,6 +17,7 @@
 namespace meniscus {
 
 using Path = std::filesystem::path;
+struct ReportPage;
 
 /// A limit that the user asked for is exceeded: exit status 1.
 class LimitExceeded : public std::runtime_error {
@@ -37,6 +38,7 @@ void add_inspect(CLI::App& command);
 void add_models(CLI::App& command);
 void add_man(CLI::App& command);
 void add_completion(CLI::App& command);
+void add_picture(CLI::App& command);
 void add_bench(CLI::App& command); // where the benchmarks are built
 
 /// Adds --quiet to a verb.
@@ -79,6 +81,9 @@ void make_writable_folder(const Path& folder);
 
 /// "12 s", "3 min", "2.5 h".
 std::string span_text(double seconds);
+
+/// Writes the page of a report and prints its warnings on standard error.
+void write_report(const Path& file, const ReportPage& page);
 
 /// One line on standard error that says how something long comes along, changed a few times a
 /// second at most; where that is no terminal a line of its own now and then.

@@ -4,6 +4,7 @@
 #include "threads.hpp"
 #include "usage.hpp"
 
+#include <meniscus/app/report/report.hpp>
 #include <meniscus/classifier/audit/audit.hpp>
 #include <meniscus/classifier/export/header_export.hpp>
 #include <meniscus/classifier/objectives/trainer.hpp>
@@ -12,6 +13,7 @@
 
 #include <fmt/format.h>
 #include <memory>
+#include <optional>
 
 namespace meniscus {
 namespace {
@@ -19,6 +21,7 @@ namespace {
 struct DemoCommand {
     Path folder = "meniscus-demo";
     double label_threshold = default_label_threshold;
+    std::optional<Path> report; ///< page to write
     bool quiet = false;
 };
 
@@ -45,6 +48,9 @@ Model train_on(const std::vector<Path>& labelled, double label_threshold) {
 
 void run_demo(const DemoCommand& command) {
     check_threads_start(0);
+    make_writable_folder(command.folder);
+    if (command.report)
+        check_can_be_written(*command.report);
     LabelCommand labelling;
     labelling.files = {sample_snapshots(), command.folder / "labelled"};
     labelling.quiet = command.quiet;
@@ -64,7 +70,10 @@ void run_demo(const DemoCommand& command) {
     }
     AuditOptions options;
     options.label_threshold = command.label_threshold;
-    const AuditReport report = audit(model, labelled, options);
+    AuditReport report = audit(model, labelled, options);
+    report.model.file = model_file.string();
+    if (command.report)
+        write_report(*command.report, report_page(report, labelled, options));
     if (command.quiet)
         return;
     print_text(fmt::format(
@@ -89,6 +98,9 @@ void add_demo(CLI::App& command) {
     verb->add_option("--label-threshold", options->label_threshold,
                      "Surface means an uncovered fraction above this")
         ->capture_default_str();
+    verb->add_option("--report", options->report,
+                     "Page of HTML to write: the states, their features and the line, to look at "
+                     "in any browser");
     add_quiet_option(*verb, options->quiet);
     add_examples(*verb, {{"meniscus demo", "everything, in meniscus-demo/"}});
     verb->callback([options] { run_demo(*options); });

@@ -4,12 +4,12 @@
 #include "input_files.hpp"
 #include "usage.hpp"
 
+#include <meniscus/app/report/report.hpp>
 #include <meniscus/classifier/training_set/labelled_state.hpp>
 #include <meniscus/data/formats/vtkhdf.hpp>
 #include <meniscus/data/hdf5/hdf5_signature.hpp>
 #include <meniscus/data/particles/feature_names.hpp>
 #include <meniscus/data/particles/particle_arrays.hpp>
-
 #include <meniscus/data/particles/periodic_copies.hpp>
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/files.hpp>
@@ -183,6 +183,10 @@ std::vector<Path> run_label(const LabelCommand& asked) {
     auto outputs = output_files(files, {command.boundary});
     const Boundary boundary = read_boundary(command.boundary);
     make_writable_folder(files.folder);
+    if (command.report) {
+        check_can_be_written(*command.report);
+        check_is_not_an_input(*command.report, files.inputs);
+    }
     const FileBatch batch = {
         "labelling",           "labelled",    {"particles", "surface", "more than 2 % uncovered"},
         command.label.threads, command.quiet, command.keep_going};
@@ -191,6 +195,8 @@ std::vector<Path> run_label(const LabelCommand& asked) {
             return label_file(files.inputs[f], outputs[f], boundary, threads, command);
         });
     });
+    if (command.report)
+        write_report(*command.report, report_page(outputs, {{}, {}, command.label.threads}));
     return outputs;
 }
 
@@ -280,6 +286,9 @@ void add_label(CLI::App& command) {
         "--skip-invalid", options->label.skip_invalid,
         "Leave particles out, with valid = 0, whose position is not finite or lies too far "
         "out for its number type");
+    verb->add_option("--report", options->report,
+                     "Page of HTML to write: the states and what covers each particle, to look at "
+                     "in any browser");
     add_threads_option(*verb, options->label.threads);
     add_keep_going_option(*verb, options->keep_going);
     add_quiet_option(*verb, options->quiet);

@@ -100,6 +100,7 @@ struct LabelCommand {
     LabelOptions label;
     Path boundary;            ///< file of boundary particles; empty: those of the input itself
     bool no_boundary = false; ///< boundary particles do not cover
+    std::optional<std::filesystem::path> report; ///< page to write
     bool quiet = false;
     bool keep_going = false; ///< a file that is at fault stops no other
 };

@@ -24,7 +24,9 @@ protected:
                 {"classify", input, "--model", model, "-o", below},
                 {"train", labelled, "-o", below / "trained.json"},
                 {"export", model, "-o", below / "header.hpp"},
-                {"simulate", scene, "-o", below}};
+                {"simulate", scene, "-o", below},
+                {"audit", labelled, "--model", model, "--report", below / "page.html", "--quiet"},
+                {"picture", input, "-o", below / "picture.png"}};
     }
 
     const Path scene = Path(MENISCUS_MODELS).parent_path() / "scenes" / "drop_2d.json";

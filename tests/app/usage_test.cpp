@@ -9,8 +9,8 @@ namespace {
 
 using Usage = CommandLine;
 
-constexpr const char* verbs[] = {"simulate", "label", "train", "export", "audit",
-                                 "classify", "demo",  "bench", "inspect"};
+constexpr const char* verbs[] = {"simulate", "label", "train", "export",  "audit",
+                                 "classify", "demo",  "bench", "inspect", "picture"};
 
 TEST_F(Usage, HelpOfEveryVerb) {
     const std::string overview = succeed({"--help"});

@@ -1,0 +1,159 @@
+// meniscus picture: a state as PNG or SVG, for papers and pages.
+#include "command_line.hpp"
+#include "usage.hpp"
+
+#include <meniscus/app/picture/draw_particles.hpp>
+#include <meniscus/data/formats/snapshot_files.hpp>
+#include <meniscus/data/particles/nearest_spacing.hpp>
+#include <meniscus/data/text/errors.hpp>
+#include <meniscus/data/text/files.hpp>
+#include <meniscus/data/text/text.hpp>
+
+#include <cmath>
+#include <fmt/format.h>
+#include <memory>
+
+namespace meniscus {
+namespace {
+
+struct PictureCommand {
+    Path input;
+    Path output;
+    std::string color = "class";
+    std::vector<double> range;
+    std::vector<int> size = {1200, 800};
+    std::vector<double> view = {30, 20};
+    std::string cut;
+    std::optional<std::string> title;
+    std::optional<double> diameter;
+    std::optional<int> dimension;
+    bool with_boundary = false;
+    bool quiet = false;
+};
+
+/// "x", "y<0.2", "z>0": an axis, and what of it stays.
+Cut cut_from_text(const std::string& text) {
+    const auto refuse = [&] {
+        throw InputError("--cut " + quoted_text(text) +
+                         " is not understood; expected an axis and what stays of it, as in x, "
+                         "y<0.2 or z>0");
+    };
+    const std::size_t axis = text.empty() ? 3 : std::string("xyz").find(text[0]);
+    if (axis > 2)
+        refuse();
+    Cut cut{axis, {}, false};
+    if (text.size() == 1)
+        return cut;
+    cut.place = number_from_text(text.substr(2));
+    cut.keeps_larger = text[1] == '>';
+    if ((text[1] != '<' && text[1] != '>') || !cut.place || !std::isfinite(*cut.place))
+        refuse();
+    return cut;
+}
+
+/// What a ball measures across: the spacing of particles, stored or found.
+double diameter_of(const Snapshot& snapshot) {
+    if (snapshot.particle_spacing)
+        return *snapshot.particle_spacing;
+    if (snapshot.particle_volume)
+        return std::pow(*snapshot.particle_volume, 1.0 / snapshot.dimension);
+    if (snapshot.support_radius)
+        return *snapshot.support_radius / 2;
+    throw InputError("the size of particles is not known; give it with --diameter");
+}
+
+PictureOptions options_of(const PictureCommand& command, const Snapshot& snapshot) {
+    PictureOptions options;
+    options.width = command.size[0];
+    options.height = command.size[1];
+    options.azimuth = command.view[0];
+    options.elevation = command.view[1];
+    if (!command.cut.empty())
+        options.cut = cut_from_text(command.cut);
+    options.with_boundary = command.with_boundary;
+    options.diameter = command.diameter ? *command.diameter : diameter_of(snapshot);
+    if (!(options.diameter > 0 && std::isfinite(options.diameter)))
+        throw InputError(
+            fmt::format("--diameter must be positive and finite, found {}", options.diameter));
+    options.title = command.title ? *command.title : scene_of(snapshot, command.input);
+    return options;
+}
+
+std::string file_of(const Image& image, const Path& output) {
+    const std::string kind = lowered(output.extension().string());
+    if (kind == ".png")
+        return to_png(image);
+    if (kind == ".svg")
+        return to_svg(image);
+    throw InputError(output.string() + ": expected a name that ends in .png or .svg");
+}
+
+void run_picture(const PictureCommand& command) {
+    file_of(Image(1, 1), command.output);
+    check_can_be_written(command.output);
+    check_is_not_an_input(command.output, {command.input});
+    ReadChoices choices;
+    choices.dimension = command.dimension;
+    const Snapshot snapshot = read_snapshot(command.input, choices);
+    std::optional<std::pair<double, double>> range;
+    if (!command.range.empty())
+        range = {command.range[0], command.range[1]};
+    if (range && !(range->first < range->second && std::isfinite(range->first) &&
+                   std::isfinite(range->second)))
+        throw InputError("--range expects two finite numbers, the smaller one first");
+    if (!std::isfinite(command.view[0]) || !std::isfinite(command.view[1]))
+        throw InputError("--view expects two finite angles in degrees");
+    const std::string bytes = naming_file(command.input, [&] {
+        const Coloring coloring = coloring_of(snapshot, command.color, range);
+        return file_of(draw_particles(snapshot, coloring, options_of(command, snapshot)),
+                       command.output);
+    });
+    const WriteGuard guard;
+    write_whole(command.output, bytes);
+    if (!command.quiet)
+        fmt::print("{}: {} particles of {}\n", command.output.string(), snapshot.size(),
+                   command.input.string());
+}
+
+} // namespace
+
+void add_picture(CLI::App& command) {
+    auto options = std::make_shared<PictureCommand>();
+    auto* verb = command.add_subcommand("picture", "Draw a state as PNG or SVG");
+    verb->add_option("INPUT", options->input, "Snapshot, as for label")->required();
+    verb->add_option("-o,--output", options->output, "Picture to write, .png or .svg")->required();
+    verb->add_option("--color", options->color,
+                     "class (as classified, else as labelled), or point data by its name, such as "
+                     "uncovered_fraction, density or velocity")
+        ->capture_default_str();
+    verb->add_option("--range", options->range,
+                     "Smallest and largest number of the color bar (default: those there are)")
+        ->expected(2)
+        ->delimiter(',');
+    verb->add_option("--cut", options->cut,
+                     "Axis to cut along, and what stays: x (up to the middle), y<0.2, z>0");
+    verb->add_option("--view", options->view,
+                     "Degrees to the right of the z axis and above the plane of x and z from which "
+                     "a state in three dimensions is seen")
+        ->expected(2)
+        ->delimiter(',')
+        ->capture_default_str();
+    verb->add_option("--size", options->size, "Width and height in pixels")
+        ->expected(2)
+        ->delimiter(',')
+        ->check(CLI::Range(200, 4000))
+        ->capture_default_str();
+    verb->add_option("--title", options->title, "Words above (default: the scene)");
+    verb->add_option("--diameter", options->diameter,
+                     "Diameter of the balls in m (default: the spacing of particles)");
+    verb->add_option("--dimension", options->dimension,
+                     "2 or 3, where the file does not store it (default: as for label)")
+        ->check(CLI::IsMember({2, 3}));
+    verb->add_flag("--walls", options->with_boundary, "Boundary particles, too, in gray");
+    add_quiet_option(*verb, options->quiet);
+    add_examples(*verb, {{"meniscus picture labelled/dam.vtkhdf -o dam.png --cut z",
+                          "a dam cut in the middle, by class"}});
+    verb->callback([options] { run_picture(*options); });
+}
+
+} // namespace meniscus
