@@ -43,15 +43,15 @@ void add_threads_option(CLI::App& verb, int& threads);
 /// What a seed or a count may be.
 CLI::Range whole_numbers();
 
-/// Opens /dev/null in place of standard streams that are closed, so that no file that is opened later
-/// is taken for one of them. To be called first of all.
+/// Opens /dev/null in place of standard streams that are closed, so that no file that is opened
+/// later is taken for one of them. To be called first of all.
 void open_standard_streams();
 
 /// Prints one line on standard error, whatever a file's name contains.
 void print_error_line(const std::string& message);
 
-/// Prints lines on standard output, whatever the texts in them contain but for line breaks, of which
-/// printable() (data/text/printable.hpp) rids a name.
+/// Prints lines on standard output, whatever the texts in them contain but for line breaks, of
+/// which printable() (data/text/printable.hpp) rids a name.
 void print_text(const std::string& text);
 
 /// The inputs that label and classify take and where their outputs go.
