@@ -243,6 +243,10 @@ SurfaceReport add_surface(Snapshot& snapshot, const Classes& classes, const Mode
     const SupportRadii& radii = classes.neighborhoods.radii;
     options.radius_ratio = model.radius_ratio;
     options.boundary_weight = model.boundary_weight;
+    // Both lines have been applied: the step is not to add the second one of those that ship.
+    options.k = model.line.k;
+    options.d = model.line.d;
+    options.second_line = {};
     options.spacing_ratio = classes.neighborhoods.spacing_ratio;
     const auto boundary = find_boundary_neighbors(snapshot, radii, classes.valid, threads);
     const auto ids = sampling_ids(snapshot, classes.valid);

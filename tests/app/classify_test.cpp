@@ -60,6 +60,14 @@ TEST_F(Classify, FindsWhatTheAuditCounts) {
                   total["false_positives"].get<int>());
 }
 
+TEST_F(Classify, CandidatesAreThoseOfTheModelWithoutALineThatShips) {
+    const Snapshot found = classified(sample("droplet_iisph_04"));
+    const auto candidates = scalar_values(found, "predicted_surface");
+    const auto classes = scalar_values(found, "surface_class");
+    EXPECT_EQ(std::count_if(classes.begin(), classes.end(), [](double one) { return one > 0; }),
+              std::count(candidates.begin(), candidates.end(), 1));
+}
+
 TEST_F(Classify, SupportRadiusOfEachParticle) {
     Snapshot snapshot = read_vtkhdf(sample("droplet_iisph_04"));
     const double h = *snapshot.support_radius;
