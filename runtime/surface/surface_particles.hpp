@@ -297,19 +297,14 @@ MENISCUS_INLINE std::array<Real, Size> in_own_radius(std::array<Real, Size> step
     return step;
 }
 
-/// Calls visit(j, step) for the fluid neighbors of particle i.
-template <class Real, int Dimension, class View, class Radii, class Visit>
-MENISCUS_INLINE void visit_covering_fluid(const View& view, const Radii& radii, std::size_t i,
-                                          const Visit& visit) {
+/// Calls visit(j, step) for what covers particle i: fluid neighbors, then boundary ones, whose j is
+/// not an index of the fluid and comes as no_particle.
+template <class Real, int Dimension, class View, class Boundary, class Radii, class Visit>
+MENISCUS_INLINE void visit_covering(const View& view, const Boundary& boundary, const Radii& radii,
+                                    std::size_t i, const Visit& visit) {
     view(i, [&](std::size_t j, const auto& displacement, Real /*mass*/) {
         visit(j, in_radii<Real, Dimension>(displacement, radii.inverse_of_pair(i, j)));
     });
-}
-
-/// The same for the boundary, whose j is not an index of the fluid and comes as no_particle.
-template <class Real, int Dimension, class Boundary, class Radii, class Visit>
-MENISCUS_INLINE void visit_covering_boundary(const Boundary& boundary, const Radii& radii,
-                                             std::size_t i, const Visit& visit) {
     if constexpr (Boundary::is_there)
         boundary(i, [&](std::size_t /*j*/, const auto& displacement, Real /*mass*/) {
             visit(no_particle,
@@ -317,17 +312,12 @@ MENISCUS_INLINE void visit_covering_boundary(const Boundary& boundary, const Rad
         });
 }
 
-/// Sums of displacements to what covers a particle, in radii.
-struct Inward {
-    Vector3 fluid = {0, 0, 0}; ///< to the fluid alone
-    Vector3 all = {0, 0, 0};   ///< to fluid and boundary
-};
-
-/// Collects the caps of the particle in a slot and its pairs on the surface.
+/// Collects the caps of the particle in a slot and its pairs on the surface. Returns the sum of
+/// displacements, which points into the fluid.
 template <class Real, int Dimension, class View, class Boundary, class Radii>
-MENISCUS_INLINE Inward collect(const View& view, const Boundary& boundary, const Radii& radii,
-                               double radius_ratio, std::size_t slot,
-                               SurfaceParticles<Real, Dimension>& list, SampledCaps& caps) {
+MENISCUS_INLINE Vector3 collect(const View& view, const Boundary& boundary, const Radii& radii,
+                                double radius_ratio, std::size_t slot,
+                                SurfaceParticles<Real, Dimension>& list, SampledCaps& caps) {
     const auto range = neighbor_range<Real>(1, radius_ratio);
     const auto half_cosine = static_cast<float>((1 - radius_ratio * radius_ratio) / 2);
     const std::int32_t* const slot_of = list.slot_of.data();
@@ -342,44 +332,39 @@ MENISCUS_INLINE Inward collect(const View& view, const Boundary& boundary, const
     caps.reserve(usual_neighbors);
     float *x = caps.x.data(), *y = caps.y.data(), *z = caps.z.data(), *limit = caps.limit.data();
     std::size_t room = caps.x.size() - wide_float_count;
-    const auto add = [&](std::size_t j, const auto& step) {
-        const Real distance_squared = squared_length<Real, Dimension>(step);
-        if (!range.contains(distance_squared))
-            return;
-        if (count == room) {
-            caps.reserve(2 * count);
-            x = caps.x.data(), y = caps.y.data(), z = caps.z.data(), limit = caps.limit.data();
-            room = caps.x.size() - wide_float_count;
-        }
-        for (std::size_t axis = 0; axis < Dimension; ++axis)
-            inward[axis] += step[axis];
-        x[count] = static_cast<float>(step[0]);
-        y[count] = static_cast<float>(step[1]);
-        z[count] = Dimension == 3 ? static_cast<float>(step[Dimension - 1]) : 0.0F;
-        limit[count] = 0.5F * static_cast<float>(distance_squared) + half_cosine;
-        ++count;
-        const std::int32_t neighbor = j < particles ? slot_of[j] : -1;
-        auto& pair = pairs[pairs_count];
-        pair.slot = static_cast<std::uint32_t>(neighbor);
-        pair.weight = 1 - std::sqrt(distance_squared);
-        const auto& own = in_own_radius(step, radii, list.particle[slot], j);
-        for (std::size_t axis = 0; axis < Dimension; ++axis)
-            pair.step[axis] = own[axis];
-        pairs_count +=
-            static_cast<std::uint32_t>(int{neighbor >= 0} & int{pairs_count < max_pairs});
-    };
-    const auto sum_so_far = [&] {
-        Vector3 so_far = {0, 0, 0};
-        for (std::size_t axis = 0; axis < Dimension; ++axis)
-            so_far[axis] = static_cast<double>(inward[axis]);
-        return so_far;
-    };
-    visit_covering_fluid<Real, Dimension>(view, radii, list.particle[slot], add);
-    const Vector3 of_fluid = sum_so_far();
-    visit_covering_boundary<Real, Dimension>(boundary, radii, list.particle[slot], add);
+    visit_covering<Real, Dimension>(
+        view, boundary, radii, list.particle[slot], [&](std::size_t j, const auto& step) {
+            const Real distance_squared = squared_length<Real, Dimension>(step);
+            if (!range.contains(distance_squared))
+                return;
+            if (count == room) {
+                caps.reserve(2 * count);
+                x = caps.x.data(), y = caps.y.data(), z = caps.z.data(), limit = caps.limit.data();
+                room = caps.x.size() - wide_float_count;
+            }
+            for (std::size_t axis = 0; axis < Dimension; ++axis)
+                inward[axis] += step[axis];
+            x[count] = static_cast<float>(step[0]);
+            y[count] = static_cast<float>(step[1]);
+            z[count] = Dimension == 3 ? static_cast<float>(step[Dimension - 1]) : 0.0F;
+            limit[count] = 0.5F * static_cast<float>(distance_squared) + half_cosine;
+            ++count;
+            const std::int32_t neighbor = j < particles ? slot_of[j] : -1;
+            auto& pair = pairs[pairs_count];
+            pair.slot = static_cast<std::uint32_t>(neighbor);
+            pair.weight = 1 - std::sqrt(distance_squared);
+            const auto& own = in_own_radius(step, radii, list.particle[slot], j);
+            for (std::size_t axis = 0; axis < Dimension; ++axis)
+                pair.step[axis] = own[axis];
+            pairs_count +=
+                static_cast<std::uint32_t>(int{neighbor >= 0} & int{pairs_count < max_pairs});
+        });
     caps.count = count;
     list.pairs_count[slot] = pairs_count;
-    return {of_fluid, sum_so_far()};
+    Vector3 sum = {0, 0, 0};
+    for (std::size_t axis = 0; axis < Dimension; ++axis)
+        sum[axis] = static_cast<double>(inward[axis]);
+    return sum;
 }
 
 /// The uncovered part in closed form.
@@ -389,12 +374,11 @@ UncoveredPart exact_part(const View& view, const Boundary& boundary, const Radii
                          ExactCoverage& exact) {
     const auto range = neighbor_range<Real>(1, radius_ratio);
     exact.caps.clear();
-    const auto add = [&](std::size_t /*j*/, const auto& step) {
-        if (range.contains(squared_length<Real, Dimension>(step)))
-            add_cap<Dimension>(exact.caps, step, 1, radius_ratio);
-    };
-    visit_covering_fluid<Real, Dimension>(view, radii, i, add);
-    visit_covering_boundary<Real, Dimension>(boundary, radii, i, add);
+    visit_covering<Real, Dimension>(view, boundary, radii, i,
+                                    [&](std::size_t /*j*/, const auto& step) {
+                                        if (range.contains(squared_length<Real, Dimension>(step)))
+                                            add_cap<Dimension>(exact.caps, step, 1, radius_ratio);
+                                    });
     return uncovered_part<Dimension>(cells, exact);
 }
 
@@ -430,17 +414,6 @@ UncoveredPart part_between(const SurfaceTensionOptions& options, const SphereSam
     const auto sampled = sample_coverage<Dimension>(samples.directions, samples.set_begin,
                                                     scaled(-1, inward), memory.caps);
     return {static_cast<double>(sampled.fraction), sampled.moment};
-}
-
-/// Whether the fluid may lean over the wall below a covered particle: its mean then lies aside of
-/// the wall's. Within the fluid both lie on one line through the particle, in corners, too. Sums
-/// that collect() has made already tell; nearly all covered candidates at walls are done with here.
-inline bool may_overhang(const Inward& inward) {
-    const Vector3 boundary = difference(inward.all, inward.fluid);
-    const double along = dot(inward.fluid, boundary);
-    const double both = dot(inward.fluid, inward.fluid) * dot(boundary, boundary);
-    constexpr double max_aside = 0.15; // sine
-    return both > 0 && !(along < 0 && both - along * along < max_aside * max_aside * both);
 }
 
 /// What the fluid alone leaves uncovered.
@@ -525,14 +498,14 @@ void find_exposure(const View& view, const Boundary& boundary, const Radii& radi
         auto& [caps, hold_limits, exact, gathered] = memory[worker];
         for (std::size_t slot = begin; slot < end; ++slot) {
             const std::size_t i = list.particle[slot];
-            const Inward inward = collect(view, boundary, radii, ratio, slot, list, caps);
+            const Vector3 inward = collect(view, boundary, radii, ratio, slot, list, caps);
             UncoveredPart part{0, {0, 0, 0}};
             bool is_surface = false;
             bool is_settled = false;
             if (options.coverage == CoverageMethod::sampled) {
                 const auto sampled = sample_coverage<Dimension>(
                     directions, directions.set_begin(ids != nullptr ? ids[i] : i),
-                    scaled(-1, inward.all), caps);
+                    scaled(-1, inward), caps);
                 is_surface = sampled.is_certain ||
                              (options.verification == Verification::drop && sampled.fraction > 0);
                 if (is_surface)
@@ -550,10 +523,9 @@ void find_exposure(const View& view, const Boundary& boundary, const Radii& radi
                 const std::size_t set = options.coverage == CoverageMethod::sampled
                                             ? directions.set_begin(ids != nullptr ? ids[i] : i)
                                             : 0;
-                if (is_surface || may_overhang(inward))
-                    list.contact[slot] = look_at_wall<Real, Dimension>(
-                        view, boundary, radii, options, i, {directions, set, cells.coarse},
-                        memory[worker], part, is_surface);
+                list.contact[slot] = look_at_wall<Real, Dimension>(
+                    view, boundary, radii, options, i, {directions, set, cells.coarse},
+                    memory[worker], part, is_surface);
             }
             note(part, is_surface, options, slot, list);
         }
