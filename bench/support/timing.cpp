@@ -120,7 +120,7 @@ nlohmann::json machine() {
     return {
         {"processor", processor_name()}, {"cores", benchmark::CPUInfo::Get().num_cpus},
         {"caches", cache_sizes()},       {"compiler", MENISCUS_COMPILER},
-        {"build", MENISCUS_BUILD},       {"vectors_of_labels", name_of(instruction_set_up_to())}};
+        {"build", MENISCUS_BENCH_BUILD}, {"vectors_of_labels", name_of(instruction_set_up_to())}};
 }
 
 } // namespace meniscus
