@@ -265,7 +265,7 @@ void label_particle(const Work& work, const Snapshot& snapshot, std::size_t plac
 /// calling thread.
 template <class WorkOn>
 void for_all_particles(std::size_t count, const LabelOptions& options, WorkOn&& work_on) {
-    const OpenMpLoop loop = loop_over(options.threads);
+    const auto loop = loop_over(options.threads);
     std::vector<Workspace> workspaces(loop.workers());
     std::atomic<std::size_t> done{0};
     loop(count, [&](std::size_t begin, std::size_t end, int worker) {

@@ -386,7 +386,7 @@ Vector3 kept_inside(const Region& region, Vector3 place, double closest) {
 void relax_once(const Region& region, double spacing, int threads, Positions& positions) {
     const Pushers pushers = pushers_of(region, positions, spacing);
     const NeighborGrid grid(pushers.positions, push_reach * spacing, {}, threads);
-    const OpenMpLoop loop = loop_over(threads, 1024);
+    const auto loop = loop_over(threads, 1024);
     std::vector<FoundNeighbors> found_by(loop.workers());
     loop(grid.size(), [&](std::size_t begin, std::size_t end, int worker) {
         FoundNeighbors& found = found_by[worker];

@@ -188,7 +188,7 @@ void lay_out(Grid& grid, const Positions& positions, double radius, const Neighb
 /// the input.
 void sort_particles(Grid& grid, const Positions& positions, const NeighborFilter& filter,
                     int threads) {
-    const OpenMpLoop loop = loop_over(threads, 4096);
+    const auto loop = loop_over(threads, 4096);
     std::vector<std::uint64_t> bucket(positions.size());
     loop(positions.size(), [&](std::size_t begin, std::size_t end, int) {
         for (std::size_t i = begin; i < end; ++i)
@@ -538,7 +538,7 @@ NeighborLists find_neighbors(const Positions& positions, const SupportRadii& rad
     lists.offsets.assign(positions.size() + 1, 0);
     // Twice the same walk, first to count and then to write: the lists are by far the largest
     // thing in memory, and this way they are there once.
-    const OpenMpLoop loop = loop_over(threads, 1024);
+    const auto loop = loop_over(threads, 1024);
     loop(levels.size, [&](std::size_t begin, std::size_t end, int) {
         for (std::size_t s = begin; s < end; ++s)
             lists.offsets[particle_at(levels, s) + 1] = listed(levels, s, filter.max_crowd);

@@ -22,7 +22,7 @@ double kernel_scale(int dimension) {
 std::vector<double> kernel_sums(const NeighborGrid& grid, const SupportRadii& radii, int dimension,
                                 int threads, bool without_crowds) {
     std::vector<double> sums(grid.size());
-    const OpenMpLoop loop = loop_over(threads);
+    const auto loop = loop_over(threads);
     std::vector<FoundNeighbors> found_by(loop.workers());
     loop(grid.size(), [&](std::size_t begin, std::size_t end, int worker) {
         FoundNeighbors& found = found_by[worker];

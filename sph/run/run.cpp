@@ -146,9 +146,9 @@ private:
     [[nodiscard]] bool is_finished() const { return at.next_frame > frame_time.last; }
 
     void begin() {
-        check_inputs();
         if (fs::exists(record_file(scene, options.folder)))
             record.emplace(record_file(scene, options.folder));
+        check_inputs();
         const fs::path file = checkpoint_file(scene, options.folder);
         if (!options.restart && fs::exists(file))
             resume(file);
@@ -160,6 +160,8 @@ private:
         std::vector<fs::path> inputs = files_read_by(scene);
         inputs.insert(inputs.end(), options.inputs.begin(), options.inputs.end());
         check_inputs_stay(inputs, scene, options.folder);
+        if (record && options.restart)
+            check_inputs_are_not_listed(inputs, options.folder, *record);
     }
 
     void start() {

@@ -115,6 +115,17 @@ void check_inputs_stay(const std::vector<fs::path>& inputs, const Scene& scene,
                              "folder with -o");
 }
 
+void check_inputs_are_not_listed(const std::vector<fs::path>& inputs, const fs::path& folder,
+                                 const RunRecord& record) {
+    for (const fs::path& input : inputs)
+        for (const RecordedFile& one : record.files())
+            if (is_same_file(input, folder / one.name))
+                throw InputError(input.string() +
+                                 ": the scene reads it, and --restart would remove it, since the "
+                                 "run before wrote it; move it to another folder, or choose "
+                                 "another one with -o");
+}
+
 void check_nothing_is_in_the_way(const Scene& scene, const fs::path& folder,
                                  const RunRecord* record) {
     std::vector<fs::path> outputs = frames_in(scene, folder);
@@ -130,8 +141,8 @@ void check_nothing_is_in_the_way(const Scene& scene, const fs::path& folder,
 void check_has_no_frames(const Scene& scene, const fs::path& folder, const RunRecord& record) {
     for (const RecordedFile& one : record.files())
         if (one.hash != unsettled && is_there(folder / one.name))
-            throw InputError((folder / one.name).string() +
-                             ": the folder has frames of scene '" + scene.name +
+            throw InputError((folder / one.name).string() + ": the folder has frames of scene '" +
+                             scene.name +
                              "' and no checkpoint to go on from; choose another folder, or "
                              "--restart, which removes them");
 }

@@ -31,6 +31,10 @@ bool is_written_by_run(const std::filesystem::path& file, const Scene& scene,
 void check_inputs_stay(const std::vector<std::filesystem::path>& inputs, const Scene& scene,
                        const std::filesystem::path& folder);
 
+/// Throws InputError where an earlier run wrote one of the inputs, which a restart would remove.
+void check_inputs_are_not_listed(const std::vector<std::filesystem::path>& inputs,
+                                 const std::filesystem::path& folder, const RunRecord& record);
+
 /// Throws InputError where a file that the run is to write is there and in no record; `record`:
 /// that of an earlier run, nullptr where there is none.
 void check_nothing_is_in_the_way(const Scene& scene, const std::filesystem::path& folder,

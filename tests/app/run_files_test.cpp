@@ -76,6 +76,16 @@ TEST_F(RunFiles, NoOutputOfARunIsItsInput) {
     EXPECT_TRUE(bytes_of(out / "tank_0007.vtkhdf") == bytes);
 }
 
+TEST_F(RunFiles, RestartRemovesNoFrameThatTheSceneStartsFrom) {
+    succeed(simulate());
+    const std::string bytes = bytes_of(frame(2));
+    Json shorter = Json::parse(bytes_of(tank_from(frame(2))));
+    shorter["duration"] = 0.02; // writes no frame of that number
+    const Path next = write("next.json", shorter.dump());
+    fail(2, simulate(next, {"--restart"}), {"tank_0002.vtkhdf", "--restart would remove it"});
+    EXPECT_EQ(bytes_of(frame(2)), bytes);
+}
+
 TEST_F(RunFiles, RestartRemovesWhatTheRecordLists) {
     succeed(simulate({"--duration", "0.06"}));
     const Path theirs = write("out/tank_20200613.vtkhdf", "mine");

@@ -86,7 +86,7 @@ TEST(CalibrationFile, EveryKeyIsNeeded) {
 }
 
 TEST(CalibrationFile, RefusesWhatIsNotPlausible) {
-    expect_refused("/format", "meniscus model", "format");
+    expect_refused("/format", "meniscus model", "is a model, not a calibration");
     expect_refused("/format_version", 2, "format_version");
     expect_refused("/dimension", 4, "dimension");
     expect_refused("/radius_ratio", -0.8, "radius_ratio");

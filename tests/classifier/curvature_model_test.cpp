@@ -51,7 +51,8 @@ std::string error_with(const std::string& place, const Json& value) {
 }
 
 TEST(CurvatureModelFile, RefusesWhatIsNotPlausible) {
-    expect_mentions(error_with("/format", "meniscus model"), {"curvature.json", "'format'"});
+    expect_mentions(error_with("/format", "meniscus model"),
+                    {"curvature.json", "is a model, not a curvature model"});
     expect_mentions(error_with("/format_version", 9), {"curvature.json", "'format_version'"});
     expect_mentions(error_with("/dimension", 1), {"'dimension'", "2 to 3"});
     expect_mentions(error_with("/radius_ratio", -0.8), {"'radius_ratio'", "-0.8"});
