@@ -143,9 +143,14 @@ std::string text_of_file(const std::filesystem::path& file, const std::string& e
         throw FailureError(file.string() + ": cannot be opened: " + std::strerror(errno));
     if (!stream || std::filesystem::is_directory(file))
         throw InputError(file.string() + " cannot be read; expected " + expected);
-    std::string text(max_text + 1, '\0'); // a device may have no end
-    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-    text.resize(static_cast<std::size_t>(stream.gcount()));
+    std::string text;
+    constexpr std::size_t part = 1 << 16;
+    while (stream && text.size() <= max_text) { // a device may have no end
+        const std::size_t size = text.size();
+        text.resize(size + part);
+        stream.read(text.data() + size, part);
+        text.resize(size + static_cast<std::size_t>(stream.gcount()));
+    }
     if (text.size() > max_text)
         throw InputError(file.string() + ": expected " + expected + " of at most " +
                          std::to_string(max_text >> 20U) + " MiB, found more");
