@@ -248,7 +248,6 @@ TEST_F(AuditedDetectors, FlagsOfASnapshotAreJudgedAsTheyAre) {
 TEST_F(AuditedDetectors, RefusesWhatDoesNotGoTogether) {
     const Path model = Path(MENISCUS_MODELS) / "surface_3d.json";
     const Words audit = {"audit", droplet};
-    fail(2, audit, {"--model", "--detector", "--flag", "required"});
     fail(2, audit + Words{"--model", model, "--detector", "marrone"},
          {"--model", "--detector", "give one"});
     fail(2, audit + Words{"--model", model, "--detector-threshold", "2"}, {"--detector"});
