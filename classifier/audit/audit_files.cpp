@@ -36,7 +36,7 @@ AuditedFile judged_file(const std::filesystem::path& file, const std::string& sc
                         const Judge& judge) {
     const Snapshot snapshot = read_snapshot(file);
     LabelledState state = labelled_state(snapshot, file);
-    state.hash = file_hash(file);
+    state.hash = state_hash(snapshot, file);
     if (!scene.empty())
         state.scene = scene;
     AuditedFile judged;

@@ -44,7 +44,7 @@ struct SecondModelLine {
 
 struct TrainingFile {
     std::string name; ///< without folder
-    std::string hash; ///< SHA-256
+    std::string hash; ///< of the state (LabelledState::hash)
     std::string scene;
     std::size_t particles = 0;
     std::size_t surface_particles = 0;

@@ -164,10 +164,16 @@ LabelledState labelled_state(const Snapshot& snapshot, const std::filesystem::pa
     return state;
 }
 
+std::string state_hash(const Snapshot& snapshot, const std::filesystem::path& file) {
+    const auto of_input = snapshot.provenance.find("input_hash");
+    return of_input == snapshot.provenance.end() ? file_hash(file) : of_input->second;
+}
+
 LabelledState read_labelled_state(const std::filesystem::path& file, const std::string& scene,
                                   const FeaturePair& features) {
-    LabelledState state = labelled_state(read_snapshot(file), file, features);
-    state.hash = file_hash(file);
+    const Snapshot snapshot = read_snapshot(file);
+    LabelledState state = labelled_state(snapshot, file, features);
+    state.hash = state_hash(snapshot, file);
     if (!scene.empty())
         state.scene = scene;
     return state;

@@ -16,7 +16,9 @@ namespace meniscus {
 
 struct LabelledState {
     std::string file;  ///< name without folder
-    std::string hash;  ///< SHA-256 of the file; empty for a state that was not read from one
+    /// Which state it is: SHA-256 of the file that was labelled, as the labels' provenance has it,
+    /// or else of this one; empty for a state that was not read from a file.
+    std::string hash;
     std::string scene; ///< scene_of() unless overridden
     int dimension = 3;
     std::optional<double> support_radius; ///< h in m; nothing where each particle has its own
@@ -68,6 +70,9 @@ inline constexpr double reference_spacing_ratio = 2;
 /// range, or where its provenance has no such radius ratio or boundary weight.
 LabelledState labelled_state(const Snapshot& snapshot, const std::filesystem::path& file,
                              const FeaturePair& features = {});
+
+/// What LabelledState::hash of a snapshot is that was read from this file.
+std::string state_hash(const Snapshot& snapshot, const std::filesystem::path& file);
 
 /// Reads and checks one labelled file; `scene` replaces the file's own where it is not empty.
 /// Throws as read_snapshot and labelled_state do.

@@ -5,33 +5,33 @@
 // Trained by neyman-pearson; neighbors: same phase only; boundary particles count by 0.85 of their volume.
 // On its training files it has 0 false negatives and 28340 false positives:
 //   boxhole_dfsph_04.vtkhdf, scene SurfaceTension_BoxHole_ZR2020: 11616 particles, 2545 surface
-//     sha256 1903056b5eff21776fda724b2ec9888a19c11fee0c13d88c47db97ec8db477a6
+//     sha256 9223d9b6879fb64b01a58d202f63650d3002a179736c1c806d30d5dffe404e82
 //   boxhole_dfsph_18.vtkhdf, scene SurfaceTension_BoxHole_ZR2020: 11616 particles, 3210 surface
-//     sha256 c51638432564254cbe8b6ec0816cb11660833957b059290a022bd161847636d9
+//     sha256 d3cf6a3893e5db3dd34b0ed089dcbf7d717b33ac80e1e6cc0d0d1d8cc1481a7e
 //   crown_dfsph_02.vtkhdf, scene SurfaceTension_Crown_ZR2020: 61992 particles, 8567 surface
-//     sha256 bc2cb47544c50dfb2171c961c35a0e3139d4e037c152528d5424d4c943473353
+//     sha256 c13d9bec4f000c7b1691de697db5a62e58bf1e71e8d3bd6775f8bde62aeafefd
 //   crown_dfsph_15.vtkhdf, scene SurfaceTension_Crown_ZR2020: 61992 particles, 11070 surface
-//     sha256 305537a56f7c2695268a421d5fae397fe85eb91f866b088adbc1f47fc40145d5
+//     sha256 7e4fd4c6144a69913bfe4d1a160917f5b87d09e0b15e2b3f951eafe737072bd7
 //   cube_iisph_05.vtkhdf, scene SurfaceTension_NoGravCube_ZR2020: 10648 particles, 2689 surface
-//     sha256 1822864927f0003f935d6b62ba438e55419b51eebad13600bbb58f232ffefcc7
+//     sha256 689132613d4f93737dde6edc1c022f6b6f0d59189ca1f36113d492450d4dc78a
 //   dam_dfsph_01.vtkhdf, scene SurfaceTension_BreakDamZR2020: 26136 particles, 5136 surface
-//     sha256 b6bd2a39d433086e4706eaf243f1e65950d5cef48f27b438c8002ed327f9cb05
+//     sha256 eaba35e7d2f72b1cf7997b9b807fdc6bcd5b817b3faa0a51a4f1449c68fc8871
 //   dam_dfsph_04.vtkhdf, scene SurfaceTension_BreakDamZR2020: 26136 particles, 4868 surface
-//     sha256 9570b06c7b77e94f2753ceae5980b93e9aa08ba4cc60d1cebfa804ff7c1f930e
+//     sha256 92acc3d0b7ac231e8f033a0512a0e0c32693fdaf0f6769384ca9f29935bcd8b2
 //   dam_dfsph_08.vtkhdf, scene SurfaceTension_BreakDamZR2020: 26136 particles, 6127 surface
-//     sha256 41ba357bce46497a8c3a56140b01321df7f1487def5ac03afd7b3fa45cb51789
+//     sha256 0a3a7d1633f3a70e8f9179e6c94cd7e1fbb36e968cb315996d50b008c9df3d8e
 //   dam_dfsph_14.vtkhdf, scene SurfaceTension_BreakDamZR2020: 26136 particles, 6595 surface
-//     sha256 c2aee66fe8ae34c21192010ba3f510d082aaa753adddd5dfbd8fac2f5c5b1fac
+//     sha256 8e120b98af1177e263dc9fc46de6be6532cffafb79b4fff190ea8f6992407050
 //   droplet_iisph_01.vtkhdf, scene SurfaceTension_DoubleDroplet_ZR2020: 8192 particles, 2704 surface
-//     sha256 438fdcbda5f05b7bf569c91433da9227d407c41767c1c63245fa4823993ff14f
+//     sha256 9b287953d1d2b0b9312180a1783cf9ce873f685644ce28c2dbd56e5ce911348e
 //   droplet_iisph_04.vtkhdf, scene SurfaceTension_DoubleDroplet_ZR2020: 8192 particles, 2704 surface
-//     sha256 cfb19e73bab20d5c844a2b845fe8dae473e1a92ae53bf357b98668f06c20b738
+//     sha256 245eeb77428c47bb99ea0708f7f769f62198128ff47b0d8cd7ff0b32cddcb49a
 //   droplet_iisph_06.vtkhdf, scene SurfaceTension_DoubleDroplet_ZR2020: 8192 particles, 2701 surface
-//     sha256 e06ba80018e5e02f97e3e65999b5f8228b5c5383400415d46627dbfd032c739d
+//     sha256 4323e737ff216d95caff5c6f5ae96936bfa387a1ab0421837430f512aa601055
 //   droplet_iisph_14.vtkhdf, scene SurfaceTension_DoubleDroplet_ZR2020: 8192 particles, 2610 surface
-//     sha256 5986cccc057085554748e69039e4de164201f888b09efcb30a64e9ab6e4aabd4
+//     sha256 7c9dd061470dddd6f6ef402ee4c7b83653930d4380f283f0cb5df6d56affe4ce
 //   snake_dfsph_05.vtkhdf, scene SurfaceTension_SnakeTestZR2020: 6076 particles, 3026 surface
-//     sha256 4e78a4baf192aa5a8267b9903703b78fe6faee39cef35f3b054366de1c42220a
+//     sha256 db979c306b7bb52894932f3580d14095de95b26ba2c097006d5d93774b557fdf
 //   crown_dfsph_0000.vtkhdf, scene crown_splash: 7751 particles, 755 surface
 //     sha256 09d83cfc939b7e2357aed17e9735aa9e828dfbc4aa905e26909beb659f0b090e
 //   crown_dfsph_0001.vtkhdf, scene crown_splash: 7751 particles, 673 surface

@@ -35,7 +35,8 @@ protected:
 
     [[nodiscard]] std::vector<double> classes(const Path& input, const Path& model,
                                               const Words& options) const {
-        succeed(Words{"classify", input, "--model", model, "-o", folder / "out", "--quiet"} +
+        succeed(Words{"classify", input, "--model", model, "-o", folder / "out", "--overwrite",
+                      "--quiet"} +
                 options);
         return scalar_values(read_vtkhdf(folder / "out" / input.filename()), "predicted_surface");
     }

@@ -66,8 +66,9 @@ TEST_F(Inspect, VerbsChooseTheModelThatFits) {
     const Path solid = save(block(6), "solid.vtkhdf");
     const Path flat = save(block(9, 2), "flat.vtkhdf");
     const Path models = MENISCUS_MODELS;
-    expect_mentions(succeed({"classify", solid, flat, "-o", folder / "chosen"}),
-                    {"model surface_3d,", "model surface_2d,"});
+    const Outcome chosen = run({"classify", solid, flat, "-o", folder / "chosen"});
+    EXPECT_EQ(chosen.status, 0) << chosen.errors; // a warning: the small block has a small ratio
+    expect_mentions(chosen.output, {"model surface_3d,", "model surface_2d,"});
     succeed({"classify", solid, "-o", folder / "given", "--model", models / "surface_3d.json"});
     succeed({"classify", solid, "-o", folder / "named", "--model", "surface_3d"});
     EXPECT_TRUE(bytes_of(folder / "given" / "solid.vtkhdf") ==

@@ -130,7 +130,7 @@ TEST_F(Interrupt, KilledRunsAreCompletedByARerun) {
     expect_mentions(run(label_into(out)).output,
                     {"state_0.vtkhdf: up to date", "state_11.vtkhdf: up to date"});
     expect_whole(out, undisturbed);
-    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(out), {}), 12);
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(out), {}), 13); // and a .series
 }
 
 } // namespace

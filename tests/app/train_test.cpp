@@ -25,7 +25,7 @@ TEST_F(Train, MissesNoSurfaceParticleOfItsTrainingSet) {
     EXPECT_EQ(model.false_negatives, 0U);
     ASSERT_EQ(model.training_files.size(), 2U);
     EXPECT_EQ(model.training_files[0].name, "droplet_iisph_06.vtkhdf");
-    EXPECT_EQ(model.training_files[0].hash, file_hash(droplet));
+    EXPECT_EQ(model.training_files[0].hash, file_hash(sample("droplet_iisph_06")));
     EXPECT_EQ(model.training_files[1].particles, 10648U);
     EXPECT_LT(model.false_positives, 500U);
 }
