@@ -27,13 +27,6 @@ inline constexpr double detector_label_threshold = 0.02;
 AuditRow audit_state(const Model& model, const Snapshot& snapshot, const LabelledState& state,
                      double label_threshold, int threads = 0);
 
-/// What the audit says of one file.
-struct AuditedFile {
-    AuditRow row;
-    ModelUse use;
-    std::vector<std::string> warnings; ///< one line each, the file's name in front
-};
-
 /// Reads and audits one labelled file with the options' threads. Throws as audit() does. Several
 /// threads may call it at once.
 AuditedFile audit_file(const Model& model, const std::filesystem::path& file,

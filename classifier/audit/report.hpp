@@ -42,6 +42,13 @@ struct AuditRow : ErrorCounts {
     Responses responses; ///< where a detector is audited
 };
 
+/// What the audit says of one file.
+struct AuditedFile {
+    AuditRow row;
+    ModelUse use;
+    std::vector<std::string> warnings; ///< one line each, the file's name in front
+};
+
 /// Adds the numbers and files of `row` to `sum`, whose scene stays.
 void add_row(const AuditRow& row, AuditRow& sum);
 

@@ -1,7 +1,7 @@
 // What every audit does with its files, whatever it judges: reads them and adds up rows by scene.
 #pragma once
 
-#include <meniscus/classifier/audit/audit.hpp>
+#include <meniscus/classifier/audit/report.hpp>
 #include <meniscus/classifier/training_set/labelled_state.hpp>
 
 #include <cstdint>
