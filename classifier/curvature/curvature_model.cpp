@@ -151,7 +151,8 @@ std::vector<std::string> residual_lines(const CurvatureModel& model) {
 }
 
 bool is_curvature_model(const std::filesystem::path& file) {
-    const Json json = parse_json(text_of_file(file, "a model file"), file.string(), "a model of either kind");
+    const Json json =
+        parse_json(text_of_file(file, "a model file"), file.string(), "a model of either kind");
     const auto format = json.is_object() ? json.find("format") : json.end();
     return format != json.end() && *format == format_name;
 }

@@ -21,9 +21,10 @@ namespace meniscus {
 
 struct TrainingOptions {
     std::string objective = "neyman-pearson"; ///< a name of objectives()
-    double label_threshold = default_label_threshold; ///< surface means lambda above this, in [0, 1)
-    std::optional<Model> keep_k;              ///< keep this model's slope, shift only d
-    std::uint64_t seed = 1;                   ///< of `network`: initial weights and batches
+    double label_threshold =
+        default_label_threshold; ///< surface means lambda above this, in [0, 1)
+    std::optional<Model> keep_k; ///< keep this model's slope, shift only d
+    std::uint64_t seed = 1;      ///< of `network`: initial weights and batches
 };
 
 /// Trains a model and fills in all that it says of its training set. Throws InputError where there

@@ -15,7 +15,7 @@
 namespace meniscus {
 
 struct LabelledState {
-    std::string file;  ///< name without folder
+    std::string file; ///< name without folder
     /// Which state it is: SHA-256 of the file that was labelled, as the labels' provenance has it,
     /// or else of this one; empty for a state that was not read from a file.
     std::string hash;
