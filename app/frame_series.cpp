@@ -68,8 +68,13 @@ void write_one(const Path& series, const std::vector<Path>& frames) {
         entry = fs::exists(folder / entry->first) ? std::next(entry) : times.erase(entry);
     for (const Path& frame : frames) {
         const std::string name = frame.filename().string();
-        if (times.count(name) == 0 || fs::last_write_time(frame) >= written)
+        if (times.count(name) != 0 && fs::last_write_time(frame) < written)
+            continue;
+        try {
             times[name] = time_of(frame);
+        } catch (const InputError&) { // damaged, which a run may go on without
+            times.erase(name);
+        }
     }
     Json files = Json::array();
     for (const auto& [name, time] : times)

@@ -96,11 +96,17 @@ void run_picture(const PictureCommand& command) {
     choices.dimension = command.dimension;
     const Snapshot snapshot = read_snapshot(command.input, choices);
     std::optional<std::pair<double, double>> range;
+    if (!command.range.empty() && command.range.size() != 2)
+        throw InputError("--range expects two numbers, such as 0,1000");
     if (!command.range.empty())
         range = {command.range[0], command.range[1]};
     if (range && !(range->first < range->second && std::isfinite(range->first) &&
                    std::isfinite(range->second)))
         throw InputError("--range expects two finite numbers, the smaller one first");
+    if (command.size.size() != 2)
+        throw InputError("--size expects a width and a height, such as 1200,800");
+    if (command.view.size() != 2)
+        throw InputError("--view expects two angles in degrees, such as 30,20");
     if (!std::isfinite(command.view[0]) || !std::isfinite(command.view[1]))
         throw InputError("--view expects two finite angles in degrees");
     const std::string bytes = naming_file(command.input, [&] {
@@ -111,8 +117,8 @@ void run_picture(const PictureCommand& command) {
     const WriteGuard guard;
     write_whole(command.output, bytes);
     if (!command.quiet)
-        fmt::print("{}: {} particles of {}\n", command.output.string(), snapshot.size(),
-                   command.input.string());
+        print_text(fmt::format("{}: {} particles of {}\n", printable(command.output.string()),
+                               snapshot.size(), printable(command.input.string())));
 }
 
 } // namespace
@@ -128,18 +134,18 @@ void add_picture(CLI::App& command) {
         ->capture_default_str();
     verb->add_option("--range", options->range,
                      "Smallest and largest number of the color bar (default: those there are)")
-        ->expected(2)
+        ->expected(1)
         ->delimiter(',');
     verb->add_option("--cut", options->cut,
                      "Axis to cut along, and what stays: x (up to the middle), y<0.2, z>0");
     verb->add_option("--view", options->view,
                      "Degrees to the right of the z axis and above the plane of x and z from which "
                      "a state in three dimensions is seen")
-        ->expected(2)
+        ->expected(1)
         ->delimiter(',')
         ->capture_default_str();
     verb->add_option("--size", options->size, "Width and height in pixels")
-        ->expected(2)
+        ->expected(1)
         ->delimiter(',')
         ->check(CLI::Range(200, 4000))
         ->capture_default_str();

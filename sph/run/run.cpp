@@ -204,11 +204,11 @@ private:
 
     void resume(const fs::path& file) {
         at = read_checkpoint(file, text);
+        check_lengthening(file);
         check_progress(at, frame_time, file);
         result.start = at.state.time;
         result.particles = at.state.positions.size();
         result.finished = is_finished();
-        check_lengthening(file);
         if (!record)
             record.emplace(record_file(scene, options.folder));
         const auto damaged =

@@ -66,7 +66,7 @@ TEST_F(Inspect, VerbsChooseTheModelThatFits) {
     const Path solid = save(block(6), "solid.vtkhdf");
     const Path flat = save(block(9, 2), "flat.vtkhdf");
     const Path models = MENISCUS_MODELS;
-    const Outcome chosen = run({"classify", solid, flat, "-o", folder / "chosen"});
+    const Outcome chosen = run(program + Words{"classify", solid, flat, "-o", folder / "chosen"});
     EXPECT_EQ(chosen.status, 0) << chosen.errors; // a warning: the small block has a small ratio
     expect_mentions(chosen.output, {"model surface_3d,", "model surface_2d,"});
     succeed({"classify", solid, "-o", folder / "given", "--model", models / "surface_3d.json"});
