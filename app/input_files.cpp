@@ -261,9 +261,12 @@ std::vector<Path> input_files(const std::vector<Path>& words) {
     std::vector<Path> files;
     std::set<Path> named;
     for (const Path& word : words)
-        for (const Path& file : files_of(word))
-            if (named.insert(file.lexically_normal()).second)
+        for (const Path& file : files_of(word)) // a series lists what stands beside it
+            if (file.extension() != ".series" && named.insert(file.lexically_normal()).second)
                 files.push_back(file);
+    if (files.empty() && !words.empty())
+        throw InputError(words.front().string() +
+                         ": a series lists files for ParaView; name its folder instead");
     return files;
 }
 

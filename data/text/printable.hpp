@@ -13,8 +13,8 @@ inline constexpr std::size_t max_message = 2000;
 
 /// The text in one line of valid UTF-8: bytes that make no character, and those of characters that
 /// are no sign on paper (control characters, line breaks, changes of the direction of writing), are
-/// written as \x1b. Where that takes more than `max` bytes, its middle is left out for "...".
-/// What it returns stays as it is when it is made printable again.
+/// written as a backslash, an x and two digits. Where that takes more than `max` bytes, its middle
+/// is left out for "...". What it returns stays as it is when it is made printable again.
 std::string printable(std::string_view text, std::size_t max = max_message);
 
 /// The same for several lines, of any length: line breaks stay.

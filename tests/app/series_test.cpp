@@ -64,7 +64,7 @@ TEST_F(Series, FoldersOfSeveralKindsAreRefused) {
 TEST_F(Series, PatternsThatTheShellLeaves) {
     make_frames(12);
     write_vtkhdf(block(2), folder / "in/dam_checkpoint.vtkhdf");
-    write_vtkhdf(block(2), folder / "in/dam_a.vtkhdf");
+    write_vtkhdf(block(3), folder / "in/dam_a.vtkhdf");
     const auto frames = [&](const std::string& pattern) {
         std::filesystem::remove_all(folder / "out");
         return frames_named(succeed(label("in/" + pattern)));

@@ -364,13 +364,15 @@ TEST_F(Simulate, RestartRemovesOnlyItsOwn) {
 TEST_F(Simulate, ADivergingRunSaysWhereAndKeepsItsFrames) {
     Json json = tank();
     json["pressure"] = {{"solver", "wcsph"}, {"sound_speed", 20}};
-    json["time_step"] = {{"fixed", 0.01}};
+    json["time_step"] = {{"fixed", 0.04}};
     json["duration"] = 1;
     const Outcome outcome = run(program + simulate(save_scene(json), "out"));
     EXPECT_EQ(outcome.status, 3);
-    expect_mentions(outcome.errors, {"warning", "fixed time step, 0.01 s, is longer than 0.004 s"});
-    Words frames = files_in("out");
-    frames.resize(frames.size() - 3); // without checkpoint, record and log
+    expect_mentions(outcome.errors, {"warning", "fixed time step, 0.04 s, is longer than 0.004 s"});
+    Words frames;
+    for (const std::string& name : files_in("out"))
+        if (name.rfind("tank_0", 0) == 0)
+            frames.push_back(name);
     expect_mentions(outcome.errors, {"diverged", " s (step", "particle", "smaller time step",
                                      (folder / "out" / frames.back()).c_str()});
     EXPECT_EQ(log(folder / "out" / "tank_log.csv").size(), frames.size() + 1);
