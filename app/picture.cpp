@@ -12,6 +12,8 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <memory>
+#include <tuple>
+#include <utility>
 
 namespace meniscus {
 namespace {
@@ -20,9 +22,9 @@ struct PictureCommand {
     Path input;
     Path output;
     std::string color = "class";
-    std::vector<double> range;
-    std::vector<int> size = {1200, 800};
-    std::vector<double> view = {30, 20};
+    std::string range;
+    std::string size = "1200,800";
+    std::string view = "30,20";
     std::string cut;
     std::optional<std::string> title;
     std::optional<double> diameter;
@@ -30,6 +32,27 @@ struct PictureCommand {
     bool with_boundary = false;
     bool quiet = false;
 };
+
+/// "30,20": two finite numbers.
+std::pair<double, double> pair_from_text(const char* option, const std::string& text) {
+    const std::size_t comma = text.find(',');
+    const auto first = number_from_text(text.substr(0, comma));
+    const auto second =
+        comma == std::string::npos ? std::nullopt : number_from_text(text.substr(comma + 1));
+    if (!first || !second || !std::isfinite(*first) || !std::isfinite(*second))
+        throw InputError(std::string(option) + " " + quoted_text(text) +
+                         " is not understood; expected two numbers, such as 30,20");
+    return {*first, *second};
+}
+
+std::pair<int, int> size_from_text(const std::string& text) {
+    const auto [width, height] = pair_from_text("--size", text);
+    for (const double pixels : {width, height})
+        if (!(pixels >= 200 && pixels <= 4000 && pixels == std::floor(pixels)))
+            throw InputError("--size " + quoted_text(text) +
+                             " is not understood; expected whole numbers from 200 to 4000");
+    return {static_cast<int>(width), static_cast<int>(height)};
+}
 
 /// "x", "y<0.2", "z>0": an axis, and what of it stays.
 Cut cut_from_text(const std::string& text) {
@@ -64,10 +87,8 @@ double diameter_of(const Snapshot& snapshot) {
 
 PictureOptions options_of(const PictureCommand& command, const Snapshot& snapshot) {
     PictureOptions options;
-    options.width = command.size[0];
-    options.height = command.size[1];
-    options.azimuth = command.view[0];
-    options.elevation = command.view[1];
+    std::tie(options.width, options.height) = size_from_text(command.size);
+    std::tie(options.azimuth, options.elevation) = pair_from_text("--view", command.view);
     if (!command.cut.empty())
         options.cut = cut_from_text(command.cut);
     options.with_boundary = command.with_boundary;
@@ -96,19 +117,12 @@ void run_picture(const PictureCommand& command) {
     choices.dimension = command.dimension;
     const Snapshot snapshot = read_snapshot(command.input, choices);
     std::optional<std::pair<double, double>> range;
-    if (!command.range.empty() && command.range.size() != 2)
-        throw InputError("--range expects two numbers, such as 0,1000");
     if (!command.range.empty())
-        range = {command.range[0], command.range[1]};
-    if (range && !(range->first < range->second && std::isfinite(range->first) &&
-                   std::isfinite(range->second)))
-        throw InputError("--range expects two finite numbers, the smaller one first");
-    if (command.size.size() != 2)
-        throw InputError("--size expects a width and a height, such as 1200,800");
-    if (command.view.size() != 2)
-        throw InputError("--view expects two angles in degrees, such as 30,20");
-    if (!std::isfinite(command.view[0]) || !std::isfinite(command.view[1]))
-        throw InputError("--view expects two finite angles in degrees");
+        range = pair_from_text("--range", command.range);
+    if (range && !(range->first < range->second))
+        throw InputError("--range expects the smaller number first");
+    size_from_text(command.size); // before anything is drawn
+    pair_from_text("--view", command.view);
     const std::string bytes = naming_file(command.input, [&] {
         const Coloring coloring = coloring_of(snapshot, command.color, range);
         return file_of(draw_particles(snapshot, coloring, options_of(command, snapshot)),
@@ -134,20 +148,16 @@ void add_picture(CLI::App& command) {
         ->capture_default_str();
     verb->add_option("--range", options->range,
                      "Smallest and largest number of the color bar (default: those there are)")
-        ->expected(1)
-        ->delimiter(',');
+        ->type_name("LOW,HIGH");
     verb->add_option("--cut", options->cut,
                      "Axis to cut along, and what stays: x (up to the middle), y<0.2, z>0");
     verb->add_option("--view", options->view,
                      "Degrees to the right of the z axis and above the plane of x and z from which "
                      "a state in three dimensions is seen")
-        ->expected(1)
-        ->delimiter(',')
+        ->type_name("RIGHT,UP")
         ->capture_default_str();
-    verb->add_option("--size", options->size, "Width and height in pixels")
-        ->expected(1)
-        ->delimiter(',')
-        ->check(CLI::Range(200, 4000))
+    verb->add_option("--size", options->size, "Width and height in pixels, 200 to 4000")
+        ->type_name("WIDTH,HEIGHT")
         ->capture_default_str();
     verb->add_option("--title", options->title, "Words above (default: the scene)");
     verb->add_option("--diameter", options->diameter,
