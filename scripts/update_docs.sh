@@ -110,7 +110,6 @@ if wanted simulation; then
 fi
 if wanted contact-angles; then
     print contact-angles walls
-    print drops-in-gravity walls
 fi
 if wanted step-speed; then
     print stages simulation
