@@ -126,7 +126,7 @@ Json plane_json(const FeaturePair& pair, const Line& line) {
             {"above", line.above}};
 }
 
-std::vector<std::size_t> valid_particles(const Snapshot& snapshot) {
+std::vector<std::size_t> places_of_valid(const Snapshot& snapshot) {
     const std::vector<double> flags = scalar_values(snapshot, "valid");
     std::vector<std::size_t> valid;
     for (std::size_t i = 0; i < flags.size(); ++i)
@@ -180,7 +180,7 @@ Json planes_json(const Model& model) {
 
 Positions nearby_boundary(const Snapshot& snapshot) {
     Positions fluid;
-    for (const std::size_t i : valid_particles(snapshot))
+    for (const std::size_t i : places_of_valid(snapshot))
         fluid.push_back(snapshot.positions[i]);
     const Box box = box_of(fluid);
     const double margin = 2 * support_radii(snapshot).max;
@@ -198,7 +198,7 @@ Positions nearby_boundary(const Snapshot& snapshot) {
 
 Json state_json(const Snapshot& snapshot, const LabelledState& state, const Positions& boundary,
                 const Model& model, const AuditOptions& options) {
-    const auto valid = valid_particles(snapshot);
+    const auto valid = places_of_valid(snapshot);
     Json json = {{"file", state.file},
                  {"scene", state.scene},
                  {"dimension", state.dimension},
