@@ -1,6 +1,7 @@
 #include "feature_plane.hpp"
 
 #include <meniscus/app/features/model_features.hpp>
+#include <meniscus/app/picture/class_colors.hpp>
 #include <meniscus/data/formats/snapshot_files.hpp>
 
 #include <algorithm>
@@ -9,13 +10,10 @@
 namespace meniscus {
 namespace {
 
-// As the pictures and the pages of reports have them.
-constexpr Color surface_color = {213, 94, 0};
-constexpr Color interior_color = {0, 114, 178};
-constexpr Color passed_color = {0, 158, 115};
-
 /// Series of a plane in the order in which they are drawn.
-enum Kind : std::size_t { interior, passed, surface, missed };
+struct Kind {
+    enum : std::size_t { interior, passed, surface, missed };
+};
 
 ChartPanel empty_panel(const FeaturePair& features) {
     ChartPanel panel{"", {feature_list[features.first].name}, {feature_list[features.second].name}};
@@ -66,8 +64,8 @@ void add_state(const Model& model, const std::filesystem::path& file, int thread
         for (std::size_t p = 0; p < planes.size() && is_candidate; ++p) {
             const ChartPoint point = planes[p].point(places[entry]);
             is_candidate = planes[p].lets_through(point);
-            const Kind kind =
-                is_surface ? (is_candidate ? surface : missed) : (is_candidate ? passed : interior);
+            const std::size_t kind = is_surface ? (is_candidate ? Kind::surface : Kind::missed)
+                                                : (is_candidate ? Kind::passed : Kind::interior);
             panels[p].series[kind].points.push_back(point);
         }
     }
@@ -79,10 +77,10 @@ void finish(const Line& line, ChartPanel& panel) {
     for (const ChartSeries& series : panel.series)
         for (const ChartPoint& point : series.points)
             high = std::max(high, 1.1 * point.x);
-    const auto count = [&](Kind kind) { return panel.series[kind].points.size(); };
-    panel.title =
-        fmt::format("{} of {} surface particles missed, {} of {} others let through", count(missed),
-                    count(missed) + count(surface), count(passed), count(passed) + count(interior));
+    const auto count = [&](std::size_t kind) { return panel.series[kind].points.size(); };
+    panel.title = fmt::format("{} of {} surface particles missed, {} of {} others let through",
+                              count(Kind::missed), count(Kind::missed) + count(Kind::surface),
+                              count(Kind::passed), count(Kind::passed) + count(Kind::interior));
     panel.series.push_back(
         {"line", {{0, line.d}, {high, line.k * high + line.d}}, Mark::line, ink});
 }

@@ -29,7 +29,7 @@ std::string text_at(const TextTable& table, std::size_t row, std::optional<std::
     return column ? printable(table.rows[row][*column], 200) : "";
 }
 
-std::string joined(const std::string& a, const std::string& b) {
+std::string with_colon(const std::string& a, const std::string& b) {
     return a.empty() || b.empty() ? a + b : a + ": " + b;
 }
 
@@ -44,13 +44,13 @@ void add_column(const TextTable& table, const ChosenColumns& columns,
             continue;
         // Panels are told apart by their titles; those of several columns by their labels.
         const std::string title =
-            joined(text_at(table, row, columns.panel), options.y.size() > 1 ? label : "");
+            with_colon(text_at(table, row, columns.panel), options.y.size() > 1 ? label : "");
         ChartPanel& panel = panel_of(
             chart,
             {title,
              {printable(table.columns[columns.x].heading), options.is_logarithmic_x},
              {label, options.is_logarithmic_y && columns.y.has_value(), !columns.y.has_value()}});
-        const std::string name = joined(series, text_at(table, row, columns.series));
+        const std::string name = with_colon(series, text_at(table, row, columns.series));
         series_of(panel, {name, {}, options.is_joined ? Mark::joined : Mark::dots})
             .points.push_back({*x, *y, text_at(table, row, columns.names),
                                !columns.best || text_at(table, row, columns.best) == "yes"});
@@ -77,7 +77,7 @@ void add_table(const TextTable& table, const TableChartOptions& options, const s
         for (const std::size_t column : shown) {
             columns.y = column;
             add_column(table, columns, options, label,
-                       joined(prefix, shown.size() > 1 ? table.columns[column].heading : ""),
+                       with_colon(prefix, shown.size() > 1 ? table.columns[column].heading : ""),
                        chart);
         }
     }
