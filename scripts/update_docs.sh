@@ -199,6 +199,9 @@ if wanted plots && [ "$what" != list ]; then
         --series arrangement --panel samples --joined
     plot curvature_filled curvature_filled --x "h kappa" --y "closed, exact" \
         --y "calibrated, exact" --series particles
+    plot fade fade --x fade --y "lambda < 0.02" --series fluid --panel form --joined
+    plot normals_ratio normals_ratio --x r2/r1 --y "degrees, 128 samples" \
+        --y "error of h kappa, 128 samples" --series case --joined
     rows=(--table 1 --x "median, ms" --names benchmark --logarithmic x)
     for table in speed label_speed surface_speed; do
         plot $table $table "${rows[@]}"

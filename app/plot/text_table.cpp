@@ -60,7 +60,16 @@ bool is_rule(const std::string& line) {
            line.find_first_not_of("|-: ") == std::string::npos;
 }
 
-/// The title of a table is the last line of text before it, if that is bold or a heading.
+/// The text of a heading, or of a line in bold; empty for any other.
+std::string title_of(const std::string& line) {
+    const std::size_t begin = line.find_first_not_of("#*");
+    if (begin == 0 || begin == std::string::npos)
+        return "";
+    const std::string text = line.substr(begin);
+    return trimmed(text.substr(0, text.find("**")));
+}
+
+/// A table's title is that of the last line of text before it.
 std::vector<TextTable> tables_of_markdown(const std::vector<std::string>& lines) {
     std::vector<TextTable> tables;
     std::string title;
@@ -74,12 +83,9 @@ std::vector<TextTable> tables_of_markdown(const std::vector<std::string>& lines)
         }
         if (is_row && !is_rule(line))
             add_row(split(line.substr(1, line.rfind('|') - 1), '|'), tables.back());
+        if (!is_row && !line.empty() && line[0] != '<') // no comment
+            title = title_of(line);
         is_inside = is_row;
-        if (!is_row && !line.empty() && line[0] != '<')
-            title = line[0] == '#' || line[0] == '*' ? trimmed(line.substr(line.find_first_not_of(
-                                                           "#*"))) // no heading without a text
-                                                     : "";
-        title.erase(std::find(title.begin(), title.end(), '*'), title.end());
     }
     return tables;
 }
