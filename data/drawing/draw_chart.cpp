@@ -136,8 +136,8 @@ void add_line(const PanelDrawing& drawn, const ChartSeries& series, const Color&
               Drawing& drawing) {
     const bool is_line = series.mark == Mark::line;
     Stroke whole{{}, color, is_line ? 2.0 : 1.2};
-    for (std::size_t k = 0; k < series.points.size(); ++k)
-        whole.points.push_back(drawn.place(series.points[k]));
+    for (const ChartPoint& point : series.points)
+        whole.points.push_back(drawn.place(point));
     if (!is_line) {
         drawing.shapes.emplace_back(whole);
         return;

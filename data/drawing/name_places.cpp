@@ -62,6 +62,7 @@ double covered(const Frame& name, const std::vector<Frame>& taken, const Frame& 
 
 std::vector<NamePlace> name_places(const std::vector<NamedPoint>& points, const Frame& frame) {
     std::vector<Frame> taken;
+    taken.reserve(2 * points.size());
     for (const NamedPoint& point : points)
         taken.push_back(around(point.place, point_radius));
     std::vector<NamePlace> places;
