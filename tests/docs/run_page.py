@@ -70,7 +70,7 @@ def main(page, folder, program, frames):
     folder.mkdir(parents=True)
     for name in ("out", "DamBreak"):
         write_frames(sorted(Path(frames).glob("dam_dfsph_*.vtkhdf")), folder / name)
-    path = f"{Path(program).parent}:{os.environ['PATH']}"
+    path = f"{Path(program).resolve().parent}:{os.environ['PATH']}"
     for commands, expected in found:
         run(commands, expected, folder, path)
 
