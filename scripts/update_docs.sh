@@ -5,7 +5,7 @@
 # sampling and normals Debian's python3-matplotlib, accuracy python3-h5py, too.
 # Usage: scripts/update_docs.sh [TABLES]   (default: all)
 # TABLES: accuracy, own-scenes (runs scenes for some ten minutes), speed, sampling, force,
-# detectors, surface-speed, normals, curvature, scenes, simulation, contact-angles, step-speed, hard-cases, hard-cases-solvers or
+# detectors, surface-speed, normals, curvature, scenes, simulation, studies, contact-angles, step-speed, hard-cases, hard-cases-solvers or
 # speed-against-error (runs scenes, too)
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -106,6 +106,13 @@ if wanted simulation; then
     for table in solver-runs dam-front iterations formation formation-paper formation-line rivals \
         coalescence oscillation; do
         print $table simulation
+    done
+fi
+if wanted studies; then # prints committed results; meniscus_study NAME --record makes them anew
+    cmake --build build/release --target meniscus_study
+    for result in validation/*/small.json; do
+        study=$(basename "$(dirname "$result")")
+        "$bin/meniscus_study" "$study" --show | replace docs/studies.md "study-${study//_/-}"
     done
 fi
 if wanted contact-angles; then
