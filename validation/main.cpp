@@ -4,6 +4,7 @@
 #include "studies.hpp"
 #include "support/plot.hpp"
 
+#include <meniscus/app/threads.hpp>
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/files.hpp>
 
@@ -169,5 +170,6 @@ int run_program(int argument_count, char** arguments) {
 } // namespace meniscus
 
 int main(int argument_count, char** arguments) {
+    meniscus::wait_asleep(arguments);
     return meniscus::run_program(argument_count, arguments);
 }

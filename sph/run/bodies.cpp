@@ -34,7 +34,7 @@ private:
     std::vector<std::uint32_t> parent;
 };
 
-/// Of |axis of inertia| in the order that min_eigenvalue() has.
+/// From the second moments, in the order that min_eigenvalue() has.
 template <int Dimension>
 double aspect_of(const std::vector<Place>& arms) {
     constexpr int entries = Dimension * (Dimension + 1) / 2;
@@ -48,7 +48,8 @@ double aspect_of(const std::vector<Place>& arms) {
         turned[entry] = -moments[entry];
     const double smallest = min_eigenvalue<Dimension>(moments);
     const double largest = -min_eigenvalue<Dimension>(turned);
-    return smallest > 0 ? std::sqrt(largest / smallest) : 0;
+    return smallest > 1e-12 * largest ? std::sqrt(largest / smallest)
+                                      : 0; // a sheet, but for rounding
 }
 
 void measure(const Positions& body, int dimension, Bodies& bodies) {

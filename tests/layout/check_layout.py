@@ -25,7 +25,7 @@ MAY_INCLUDE = {
     "app": {"runtime", "data", "labeler", "classifier", "sph", "bindings", "bench"},
     # Plain oracles lie in tests/reference.
     "bench": {"runtime", "data", "labeler", "classifier", "sph", "bindings", "tests"},
-    "validation": {"runtime", "data", "sph", "bench"},
+    "validation": {"runtime", "data", "sph", "app", "bench"},
     "tests": {"runtime", "data", "labeler", "classifier", "sph", "bindings", "app", "bench",
               "validation"},
     # What a user has installed.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <limits>
+#include <utility>
 
 namespace meniscus {
 namespace {
@@ -44,6 +45,22 @@ std::vector<double> figures_of(const std::vector<const Json*>& runs, const std::
 double aggregated(const Json& result, const std::string& model, const std::string& solver,
                   const std::string& figure) {
     return mean_and_deviation(figures_of(runs_of(result, model, solver), figure)).mean;
+}
+
+/// The same of two solvers, over the coefficients at which both came to their end.
+std::pair<double, double> aggregated_in_pairs(const Json& result, const std::string& model,
+                                              const std::string& solver, const std::string& other,
+                                              const std::string& figure) {
+    std::vector<double> values;
+    std::vector<double> others;
+    for (const Json* run : runs_of(result, model, solver))
+        for (const Json* same : runs_of(result, model, other))
+            if (label_of(*run, "force") == label_of(*same, "force") && figure_of(*run, figure) &&
+                figure_of(*same, figure)) {
+                values.push_back(*figure_of(*run, figure));
+                others.push_back(*figure_of(*same, figure));
+            }
+    return {mean_and_deviation(values).mean, mean_and_deviation(others).mean};
 }
 
 /// Of the largest coefficient; NaN where it has none.
@@ -187,9 +204,6 @@ void add_maxima_findings(const Json& result, const Json& reference, Table& table
 }
 
 void add_force_findings(const Json& result, Table& table) {
-    const auto force = [&](const char* model, const char* solver, const char* which) {
-        return aggregated(result, model, solver, which);
-    };
     const std::string largest = best_model(result, "tension force, N", false, rivals,
                                            [](double a, double b) { return a > b; });
     const std::string smallest = best_model(result, "tension force, N", false, rivals,
@@ -199,14 +213,14 @@ void add_force_findings(const Json& result, Table& table) {
                 largest == "Akinci 2013" && smallest == "He 2014");
     bool lower = true;
     std::string found;
-    for (const char* model : {"Akinci 2013", "Becker 2007"}) {
-        const double iisph = force(model, "IISPH", "pressure force, N");
-        const double pcisph = force(model, "PCISPH", "pressure force, N");
-        const double wcsph = force(model, "WCSPH", "pressure force, N");
-        lower = lower && pcisph < iisph && wcsph < iisph;
-        found += fmt::format("{}{}: {:.3f} and {:.3f} N, IISPH {:.3f}", found.empty() ? "" : "; ",
-                             model, pcisph, wcsph, iisph);
-    }
+    for (const char* model : {"Akinci 2013", "Becker 2007"})
+        for (const char* solver : {"PCISPH", "WCSPH"}) {
+            const auto [pressure, iisph] =
+                aggregated_in_pairs(result, model, solver, "IISPH", "pressure force, N");
+            lower = lower && pressure < iisph;
+            found += fmt::format("{}{} with {}: {:.3f} N, IISPH {:.3f}", found.empty() ? "" : "; ",
+                                 model, solver, pressure, iisph);
+        }
     add_finding(table, "pressure forces are lower with PCISPH and WCSPH than with IISPH", found,
                 lower);
 }
@@ -225,8 +239,8 @@ void add_shape_findings(const Json& result, Table& table) {
     add_finding(table, "He 2014 with its lowest coefficient forms no sphere",
                 fmt::format("{:.1f} % off", off.value_or(0)), off.value_or(0) > 3);
     const char* close = "pairs closer than half a spacing, %";
-    const double becker = at_largest(result, "Becker 2007", "IISPH", close);
-    const double huber = at_largest(result, "Huber 2015", "IISPH", close);
+    const double becker = aggregated(result, "Becker 2007", "IISPH", close);
+    const double huber = aggregated(result, "Huber 2015", "IISPH", close);
     add_finding(table, "Becker 2007 clusters, and the cut cohesion does less",
                 fmt::format("{:.1f} % of the particles have a neighbor closer than half a "
                             "spacing, cut {:.1f} %",

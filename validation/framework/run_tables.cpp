@@ -16,9 +16,9 @@ Cell cell_of(const Json& value) {
     return {};
 }
 
-/// The first clause: failures go on with what to do.
+/// The first clause: failures go on with where it was and what to do.
 std::string short_failure(const std::string& failure) {
-    return failure.substr(0, failure.find_first_of(";,"));
+    return failure.substr(0, std::min(failure.find(';'), failure.find(" (step")));
 }
 
 } // namespace

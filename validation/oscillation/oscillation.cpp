@@ -42,7 +42,7 @@ Scene swinging(Scene scene, int mode, double amplitude, const Workplace& place) 
     scene.fluid = {{shape, {}}};
     const double period = lamb_period(scene, mode, radius);
     scene.duration = 3 * period;
-    scene.frame_interval = period / 40;
+    scene.frame_interval = period / 24;
     return scene;
 }
 
