@@ -105,12 +105,7 @@ AuditedFiles audit_files(const Model& model, const std::vector<Path>& files,
 NamedModel model_for(const std::vector<Path>& files, const AuditCommand& command) {
     if (command.model)
         return named_model(*command.model);
-    const LabelledState state = read_labelled_state(files.front(), command.audit.scene);
-    if (!state.spacing_ratio)
-        throw InputError(fmt::format("{}: particles have support radii of their own; say by "
-                                     "--model which one is to be audited",
-                                     files.front().string()));
-    NamedModel chosen = ModelChoice().at(state.dimension, *state.spacing_ratio);
+    NamedModel chosen = model_that_fits(read_labelled_state(files.front(), command.audit.scene));
     if (!command.quiet && command.format == "table")
         print_text(fmt::format("model {}, of those that ship the one for {}\n", chosen.name,
                                range_text(chosen.model)));

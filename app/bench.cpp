@@ -102,7 +102,6 @@ bool is_wanted(const BenchCommand& command, const std::string& table) {
 }
 
 void run_bench(const BenchCommand& command) {
-    require_gnuplot();
     make_writable_folder(command.folder);
     Bench bench{command, {}, {}};
     TableInput& input = bench.input;

@@ -39,6 +39,7 @@ void add_models(CLI::App& command);
 void add_man(CLI::App& command);
 void add_completion(CLI::App& command);
 void add_picture(CLI::App& command);
+void add_plot(CLI::App& command);
 void add_bench(CLI::App& command); // where the benchmarks are built
 
 /// Adds --quiet to a verb.

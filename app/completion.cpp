@@ -37,23 +37,12 @@ void add_options(const CLI::App& verb, std::vector<CompletedOption>& options) {
         add_options(*group, options);
 }
 
-std::vector<const CLI::App*> verbs_of(const CLI::App& command) {
-    return command.get_subcommands([](const CLI::App* verb) { return !verb->get_name().empty(); });
-}
-
 template <class Words>
 std::string joined(const Words& words, const char* between = " ") {
     std::string text;
     for (const std::string& word : words)
         text += (text.empty() ? "" : between) + word;
     return text;
-}
-
-std::string verb_names(const CLI::App& command) {
-    std::vector<std::string> names;
-    for (const CLI::App* verb : verbs_of(command))
-        names.push_back(verb->get_name());
-    return joined(names);
 }
 
 std::string bash_case(const CLI::App& verb) {
@@ -97,7 +86,7 @@ _meniscus() {{
 }}
 complete -o filenames -F _meniscus meniscus
 )",
-                       verb_names(command), cases);
+                       joined(verb_names(command)), cases);
 }
 
 /// A text between single quotes of zsh's _arguments, in which brackets and colons have a meaning.

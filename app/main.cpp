@@ -70,6 +70,7 @@ int main(int argument_count, char** arguments) {
         meniscus::add_classify(command);
         meniscus::add_demo(command);
         meniscus::add_picture(command);
+        meniscus::add_plot(command);
         meniscus::add_inspect(command);
         meniscus::add_models(command);
         meniscus::add_man(command);

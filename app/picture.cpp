@@ -3,6 +3,7 @@
 #include "usage.hpp"
 
 #include <meniscus/app/picture/draw_particles.hpp>
+#include <meniscus/app/picture/picture_file.hpp>
 #include <meniscus/data/formats/snapshot_files.hpp>
 #include <meniscus/data/particles/nearest_spacing.hpp>
 #include <meniscus/data/text/errors.hpp>
@@ -100,17 +101,8 @@ PictureOptions options_of(const PictureCommand& command, const Snapshot& snapsho
     return options;
 }
 
-std::string file_of(const Image& image, const Path& output) {
-    const std::string kind = lowered(output.extension().string());
-    if (kind == ".png")
-        return to_png(image);
-    if (kind == ".svg")
-        return to_svg(image);
-    throw InputError(output.string() + ": expected a name that ends in .png or .svg");
-}
-
 void run_picture(const PictureCommand& command) {
-    file_of(Image(1, 1), command.output);
+    check_picture_name(command.output);
     check_can_be_written(command.output);
     check_is_not_an_input(command.output, {command.input});
     ReadChoices choices;
@@ -125,8 +117,8 @@ void run_picture(const PictureCommand& command) {
     pair_from_text("--view", command.view);
     const std::string bytes = naming_file(command.input, [&] {
         const Coloring coloring = coloring_of(snapshot, command.color, range);
-        return file_of(draw_particles(snapshot, coloring, options_of(command, snapshot)),
-                       command.output);
+        return picture_bytes(draw_particles(snapshot, coloring, options_of(command, snapshot)),
+                             command.output);
     });
     const WriteGuard guard;
     write_whole(command.output, bytes);

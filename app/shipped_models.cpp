@@ -71,6 +71,14 @@ std::string ModelChoice::hash() const {
     return all;
 }
 
+NamedModel model_that_fits(const LabelledState& state) {
+    if (!state.spacing_ratio)
+        throw InputError(fmt::format("{}: particles have support radii of their own; say by "
+                                     "--model which one is meant",
+                                     state.file));
+    return ModelChoice().at(state.dimension, *state.spacing_ratio);
+}
+
 NamedModel named_model(const Path& file_or_name) {
     if (std::filesystem::exists(file_or_name))
         return read_named(file_or_name);

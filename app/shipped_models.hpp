@@ -5,6 +5,7 @@
 #include "command_line.hpp"
 
 #include <meniscus/classifier/model/model.hpp>
+#include <meniscus/classifier/training_set/labelled_state.hpp>
 
 #include <string>
 #include <vector>
@@ -36,6 +37,10 @@ public:
 private:
     std::vector<NamedModel> models;
 };
+
+/// The one for a labelled state. Throws InputError beyond what they were trained for, and where the
+/// state's particles have support radii of their own.
+NamedModel model_that_fits(const LabelledState& state);
 
 /// The one that --model names: a file or, where there is none of that name, one that ships. Throws
 /// InputError as read_model does, with the nearest name.

@@ -95,17 +95,6 @@ private:
     }
 };
 
-std::vector<const CLI::App*> verbs_of(const CLI::App& command) {
-    return command.get_subcommands([](const CLI::App* verb) { return !verb->get_name().empty(); });
-}
-
-std::vector<std::string> verb_names(const CLI::App& command) {
-    std::vector<std::string> names;
-    for (const CLI::App* verb : verbs_of(command))
-        names.push_back(verb->get_name());
-    return names;
-}
-
 const CLI::App* verb_named(const CLI::App& command, const std::string& name) {
     for (const CLI::App* verb : verbs_of(command))
         if (verb->get_name() == name)
@@ -139,6 +128,17 @@ std::string unknown_option(const std::vector<std::string>& words,
 }
 
 } // namespace
+
+std::vector<const CLI::App*> verbs_of(const CLI::App& command) {
+    return command.get_subcommands([](const CLI::App* verb) { return !verb->get_name().empty(); });
+}
+
+std::vector<std::string> verb_names(const CLI::App& command) {
+    std::vector<std::string> names;
+    for (const CLI::App* verb : verbs_of(command))
+        names.push_back(verb->get_name());
+    return names;
+}
 
 std::string wrapped(const std::string& text, std::size_t indent, std::size_t width) {
     std::istringstream words(text);

@@ -8,6 +8,10 @@
 
 namespace meniscus {
 
+/// The verbs of the command, in the order of its help.
+std::vector<const CLI::App*> verbs_of(const CLI::App& command);
+std::vector<std::string> verb_names(const CLI::App& command);
+
 /// Text in lines of at most `width` characters, each but the first after `indent` spaces.
 std::string wrapped(const std::string& text, std::size_t indent, std::size_t width);
 

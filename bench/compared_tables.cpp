@@ -71,11 +71,10 @@ Tables detector_tables(const TableInput& input) {
             continue;
         Table table = compare_detectors(states, detectors<float>(dimension, input.models),
                                         input.threads, input.timing);
-        number_rows(table);
         table.plots = {{table.name + "_missed.svg", table.title + ": what they miss", "time",
-                        "false_negatives", "group", "number"},
+                        "false_negatives", "group", "detector"},
                        {table.name + "_false_positives.svg", table.title + ": false positives",
-                        "time", "false_positive_rate", "group", "number"}};
+                        "time", "false_positive_rate", "group", "detector"}};
         tables.push_back(std::move(table));
     }
     return tables;
@@ -94,9 +93,8 @@ Tables feature_tables(const TableInput& input) {
                 fmt::format("features_{}d{}", dimension, threshold > 0 ? "_2_percent" : "");
             table.title +=
                 fmt::format(", surface where more than {} % is uncovered", 100 * threshold);
-            number_rows(table);
             table.plots = {{table.name + ".svg", table.title, "time", "false_positive_rate", "kind",
-                            "number"}};
+                            "features"}};
             tables.push_back(std::move(table));
         }
     }
@@ -135,8 +133,7 @@ Tables step_tables(const TableInput& input) {
     options.timing = input.timing;
     Table table = tension_steps(options);
     mark_best(table, {"time", "angle", "local_scatter", "inside"}, "state");
-    number_rows(table, "state");
-    table.plots = {{table.name + ".svg", table.title, "time", "angle", "group", "number", "state"}};
+    table.plots = {{table.name + ".svg", table.title, "time", "angle", "group", "model", "state"}};
     return {table};
 }
 

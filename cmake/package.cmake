@@ -38,7 +38,7 @@ if(MENISCUS_PYTHON AND TARGET meniscus_python)
     set(CPACK_DEBIAN_MENISCUS_PACKAGE_DEPENDS "python3, python3-numpy")
 endif()
 # What programs that are built against the static libraries need besides.
-set(CPACK_DEBIAN_MENISCUS_PACKAGE_SUGGESTS "libhdf5-dev, libssl-dev, zlib1g-dev, meniscus-trainer")
+set(CPACK_DEBIAN_MENISCUS_PACKAGE_SUGGESTS "libhdf5-dev, libssl-dev, libzstd-dev, zlib1g-dev, meniscus-trainer")
 set(CPACK_DEBIAN_TRAINER_PACKAGE_NAME meniscus-trainer)
 set(CPACK_DEBIAN_TRAINER_PACKAGE_DEPENDS "meniscus (= ${PROJECT_VERSION})")
 set(CPACK_DEBIAN_TRAINER_DESCRIPTION

@@ -22,5 +22,5 @@ if [ ${#files[@]} -eq 0 ]; then
     exit 0
 fi
 clang-format-14 "${format[@]}" "${files[@]}"
-[ -e build/release/compile_commands.json ] || cmake --preset release # how each file is compiled
-printf '%s\0' "${files[@]}" | xargs -0 -n 1 -P "$(nproc)" clang-tidy-14 --quiet -p build/release
+[ -e build/check/compile_commands.json ] || cmake --preset release -B build/check # how each file is compiled
+printf '%s\0' "${files[@]}" | xargs -0 -n 1 -P "$(nproc)" clang-tidy-14 --quiet -p build/check

@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/setup.sh build
 options=()
-[ -e build/release/build.ninja ] || options=(-DMENISCUS_TESTS=OFF -DMENISCUS_BENCHMARKS=OFF)
+[ -e build/release/build.ninja ] || options=(-DCMAKE_UNITY_BUILD=ON -DMENISCUS_TESTS=OFF -DMENISCUS_BENCHMARKS=OFF)
 cmake --preset release "${options[@]}"
 cmake --build --preset release --target meniscus
 build/release/bin/meniscus demo "$@"

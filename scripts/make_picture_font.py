@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes app/picture/detail/glyphs.hpp: the letters of `meniscus picture`, out of X11's fixed font 9x15,
+"""Writes data/drawing/detail/glyphs.hpp: the letters of `meniscus picture`, out of X11's fixed font 9x15,
 which is in the public domain.
 
 Usage: make_picture_font.py /usr/share/fonts/X11/misc/9x15-ISO8859-1.pcf.gz   (Debian's xfonts-base)
@@ -64,7 +64,7 @@ def main(font):
         glyph = struct.unpack_from(order + "H", data, at + 10 + 2 * (code - first))[0]
         rows = ", ".join(f"0x{row:03x}" for row in glyph_rows(data, found, glyph))
         lines.append(f"    {{{rows}}},\n")
-    target = Path(__file__).parents[1] / "app/picture/detail/glyphs.hpp"
+    target = Path(__file__).parents[1] / "data/drawing/detail/glyphs.hpp"
     target.parent.mkdir(exist_ok=True)
     target.write_text(HEAD + "".join(lines) + "};\n\n} // namespace meniscus\n")
 

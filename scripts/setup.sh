@@ -6,9 +6,9 @@ set -euo pipefail
 
 build_packages=(
     cmake g++ ninja-build
-    libcli11-dev libeigen3-dev libfmt-dev libhdf5-dev libssl-dev libtorch-dev zlib1g-dev
-    nlohmann-json3-dev pybind11-dev python3-dev)
-bench_packages=(gnuplot-nox libbenchmark-dev libqhull-dev)
+    libcli11-dev libeigen3-dev libfmt-dev libhdf5-dev libssl-dev libtorch-dev libzstd-dev
+    nlohmann-json3-dev pybind11-dev python3-dev zlib1g-dev)
+bench_packages=(libbenchmark-dev libqhull-dev)
 test_packages=(clang libclang-rt-dev libgtest-dev python3-numpy python3-pip python3-vtk9)
 
 wanted=("${build_packages[@]}")

@@ -4,6 +4,8 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/setup.sh
-cmake --preset release -DMENISCUS_TESTS=ON -DMENISCUS_BENCHMARKS=ON
+options=()
+[ -e build/release/build.ninja ] || options=(-DCMAKE_UNITY_BUILD=ON)
+cmake --preset release "${options[@]}" -DMENISCUS_TESTS=ON -DMENISCUS_BENCHMARKS=ON
 cmake --build --preset release
 ctest --preset release --parallel "$(nproc)"

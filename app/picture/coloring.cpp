@@ -1,5 +1,6 @@
 #include "coloring.hpp"
 
+#include "class_colors.hpp"
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/runtime/surface/surface_particles.hpp>
 
@@ -12,9 +13,6 @@ namespace meniscus {
 namespace {
 
 constexpr Color gray = {154, 154, 154};
-constexpr Color interior_color = {0, 114, 178};
-constexpr Color covered_color = {0, 158, 115};
-constexpr Color surface_color = {213, 94, 0};
 
 using Scale = std::array<Color, 5>;
 constexpr Scale viridis = {Color{68, 1, 84}, Color{59, 82, 139}, Color{33, 145, 140},
@@ -28,10 +26,10 @@ Coloring by_class(const Snapshot& snapshot) {
         for (const double value : scalar_values(snapshot, "surface_class"))
             coloring.colors.push_back(
                 value == static_cast<double>(SurfaceClass::surface)   ? surface_color
-                : value == static_cast<double>(SurfaceClass::covered) ? covered_color
+                : value == static_cast<double>(SurfaceClass::covered) ? passed_color
                                                                       : interior_color);
         coloring.classes = {{surface_color, "surface"},
-                            {covered_color, "passed by the line, covered"},
+                            {passed_color, "passed by the line, covered"},
                             {interior_color, "interior by the line"}};
     } else if (find_array(snapshot, "surface") != nullptr) {
         for (const double value : scalar_values(snapshot, "surface"))

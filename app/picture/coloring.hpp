@@ -2,7 +2,7 @@
 // on a scale. The colors can be told apart by people of every color vision.
 #pragma once
 
-#include "image.hpp"
+#include <meniscus/data/drawing/image.hpp>
 
 #include <meniscus/data/particles/snapshot.hpp>
 

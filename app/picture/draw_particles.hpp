@@ -3,7 +3,7 @@
 #pragma once
 
 #include "coloring.hpp"
-#include "image.hpp"
+#include <meniscus/data/drawing/image.hpp>
 
 #include <meniscus/data/particles/snapshot.hpp>
 

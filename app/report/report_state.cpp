@@ -1,13 +1,12 @@
 #include "report_state.hpp"
 
-#include <meniscus/app/packing/bytes.hpp>
+#include <meniscus/app/features/model_features.hpp>
+#include <meniscus/data/packing/bytes.hpp>
 #include <meniscus/data/particles/particle_arrays.hpp>
-#include <meniscus/labeler/labeler.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 namespace meniscus {
 namespace {
@@ -75,47 +74,6 @@ std::vector<float> floats_of_valid(const PointArray& array, const std::vector<st
     return chosen;
 }
 
-std::vector<std::size_t> features_of(const Model& model) {
-    std::vector<std::size_t> features = {model.features.first, model.features.second};
-    if (model.second)
-        features.insert(features.end(),
-                        {model.second->features.first, model.second->features.second});
-    return features;
-}
-
-/// The features that the model's lines are of, worked out anew as the audit does, and the neighbor
-/// count, which tells who is alone.
-std::map<std::size_t, std::vector<double>> feature_values(const Snapshot& snapshot,
-                                                          const LabelledState& state,
-                                                          const Model& model, int threads) {
-    LabelOptions options;
-    options.method = LabelMethod::features_only;
-    options.radius_ratio = state.radius_ratio;
-    options.boundary_weight = state.boundary_weight.value_or(0);
-    options.skip_invalid = true;
-    options.threads = threads;
-    options.features = features_of(model);
-    Labels labels = label_particles(snapshot, support_radii(snapshot), options);
-    std::map<std::size_t, std::vector<double>> values;
-    for (std::size_t f = 0; f < options.features.size(); ++f)
-        values[options.features[f]] = std::move(labels.features[f]);
-    values[FeaturePair{}.first] = std::move(labels.mass_offset);
-    values[FeaturePair{}.second] = std::move(labels.neighbor_count);
-    return values;
-}
-
-/// What the model's line is scaled by for this state, feature by feature.
-Json scales(const FeaturePair& pair, const LabelledState& state, const Model& model) {
-    const bool follows = model.reference_spacing_ratio > 0 && state.spacing_ratio;
-    const double scale =
-        follows ? std::pow(*state.spacing_ratio / model.reference_spacing_ratio, model.dimension)
-                : 1;
-    const auto of = [&](std::size_t feature) {
-        return feature_list[feature].is_fraction ? 1 : scale;
-    };
-    return Json::array({of(pair.first), of(pair.second)});
-}
-
 Json plane_json(const FeaturePair& pair, const Line& line) {
     const FeatureRow& x = feature_list[pair.first];
     const FeatureRow& y = feature_list[pair.second];
@@ -124,15 +82,6 @@ Json plane_json(const FeaturePair& pair, const Line& line) {
             {"k", line.k},
             {"d", line.d},
             {"above", line.above}};
-}
-
-std::vector<std::size_t> places_of_valid(const Snapshot& snapshot) {
-    const std::vector<double> flags = scalar_values(snapshot, "valid");
-    std::vector<std::size_t> valid;
-    for (std::size_t i = 0; i < flags.size(); ++i)
-        if (flags[i] != 0)
-            valid.push_back(i);
-    return valid;
 }
 
 void add_positions(const Snapshot& snapshot, const std::vector<std::size_t>& valid,
@@ -207,9 +156,9 @@ Json state_json(const Snapshot& snapshot, const LabelledState& state, const Posi
                  {"boundary_count", boundary.size()},
                  {"radius_ratio", state.radius_ratio},
                  {"provenance", snapshot.provenance}};
-    json["scales"].push_back(scales(model.features, state, model));
+    json["scales"].push_back(feature_scales(model.features, state, model));
     if (model.second)
-        json["scales"].push_back(scales(model.second->features, state, model));
+        json["scales"].push_back(feature_scales(model.second->features, state, model));
     json["arrays"] = Json::object();
     add_positions(snapshot, valid, boundary, json);
     for (const auto& [feature, values] : feature_values(snapshot, state, model, options.threads))

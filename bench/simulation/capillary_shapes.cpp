@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <meniscus/runtime/math/angles.hpp>
 #include <stdexcept>
 #include <vector>
 
 namespace meniscus {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 struct ProfilePoint {
     double x = 0, z = 0, angle = 0;

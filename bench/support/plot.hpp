@@ -1,4 +1,4 @@
-// Plots of a table's columns (struct Plot), drawn as SVG by gnuplot.
+// Plots of a table's columns (struct Plot) as charts.
 #pragma once
 
 #include "table.hpp"
@@ -7,13 +7,9 @@
 
 namespace meniscus {
 
-/// Throws FailureError where gnuplot cannot be run: to be asked before something long.
-void require_gnuplot();
-
-/// Draws the plot into a folder; an existing file is replaced. Rows without one of the figures are
-/// left out, and where none is left nothing is drawn; those marked best (mark_best) are drawn
-/// filled. Throws FailureError where gnuplot is missing or fails, or where the file cannot be
-/// written.
+/// Draws the plot into a folder as SVG; an existing file is replaced. Rows without one of the
+/// figures are left out, and where none is left nothing is drawn; those marked best (mark_best) are
+/// filled, and where rows have names theirs are there in any case. Throws as write_whole does.
 void draw(const Table& table, const Plot& plot, const std::filesystem::path& folder);
 
 } // namespace meniscus

@@ -151,19 +151,6 @@ void mark_best(Table& table, const std::vector<std::string>& keys, const std::st
         table.rows[row].emplace_back(marks[row]);
 }
 
-void number_rows(Table& table, const std::string& group) {
-    std::string current;
-    int number = 0;
-    for (auto& row : table.rows) {
-        const std::string of_row =
-            group.empty() ? "" : std::get<std::string>(row[table.column(group)]);
-        number = of_row == current ? number + 1 : 1;
-        current = of_row;
-        row.insert(row.begin(), Cell{std::to_string(number)});
-    }
-    table.columns.insert(table.columns.begin(), {"number", "no."});
-}
-
 std::string markdown(const Table& table) {
     if (table.columns.empty())
         return "";

@@ -95,10 +95,6 @@ std::optional<double> figure(const Cell& cell);
 /// the best. Where `group` names a column, rows are compared only with those of equal text there.
 void mark_best(Table& table, const std::vector<std::string>& keys, const std::string& group = "");
 
-/// Adds a first column "number" that counts the rows, from 1 in each stretch of rows with equal
-/// text in column `group` where one is named: names for the points of a plot.
-void number_rows(Table& table, const std::string& group = "");
-
 /// The table in Markdown, without its title and the texts around it; nothing without columns.
 std::string markdown(const Table& table);
 

@@ -348,6 +348,22 @@ public:
         alone([&] { surface->set_line(k, d); });
     }
 
+    void set_surface_tension(double sigma) {
+        alone([&] { surface->set_surface_tension(sigma); });
+    }
+
+    void set_contact_angle(double angle) {
+        alone([&] { surface->set_contact_angle(angle); });
+    }
+
+    void set_fade(double fade) {
+        alone([&] { surface->set_fade(fade); });
+    }
+
+    void set_smoothing(int normal_passes, int curvature_passes) {
+        alone([&] { surface->set_smoothing(normal_passes, curvature_passes); });
+    }
+
 private:
     template <class Real>
     py::dict step_in(const py::dict& given, bool balanced) {
@@ -391,7 +407,11 @@ void add_surface_tension(py::module_& module) {
         .def("check", &SharedStep::check)
         .def("reserve", &SharedStep::reserve)
         .def("set_samples", &SharedStep::set_samples)
-        .def("set_line", &SharedStep::set_line);
+        .def("set_line", &SharedStep::set_line)
+        .def("set_surface_tension", &SharedStep::set_surface_tension)
+        .def("set_contact_angle", &SharedStep::set_contact_angle)
+        .def("set_fade", &SharedStep::set_fade)
+        .def("set_smoothing", &SharedStep::set_smoothing);
 }
 
 } // namespace meniscus

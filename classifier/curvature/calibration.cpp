@@ -11,7 +11,7 @@
 namespace meniscus {
 namespace {
 
-constexpr const char* format_name = "meniscus calibration";
+constexpr const char* calibration_format = "meniscus calibration";
 constexpr double min_size = 0.01; ///< a sphere of h / R = 0.01 has a million surface particles
 constexpr double max_size = 2;
 constexpr double patch_width = 8; ///< of what has no end; particles are trusted in the middle
@@ -149,8 +149,8 @@ Calibration calibration_from(const JsonReader& reader) {
     reader.expect_only({"format", "format_version", "dimension", "radius_ratio", "fade", "tau",
                         "normal_passes", "averaged", "terms", "bias_penalty", "min_curvature",
                         "samples", "seed", "clouds", "shapes"});
-    if (reader.value("format") != format_name)
-        reader.refuse("format", std::string("'") + format_name + "'");
+    if (reader.value("format") != calibration_format)
+        reader.refuse("format", std::string("'") + calibration_format + "'");
     if (reader.value("format_version") != 1)
         reader.refuse("format_version", "1 for this program to read it");
     Calibration calibration;

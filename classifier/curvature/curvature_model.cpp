@@ -10,7 +10,7 @@
 namespace meniscus {
 namespace {
 
-constexpr const char* format_name = "meniscus curvature model";
+constexpr const char* curvature_model_format = "meniscus curvature model";
 constexpr const char* expectation = "a model file that `meniscus calibrate` wrote";
 constexpr double max_coefficient = 1e3; ///< far beyond anything that clouds give
 constexpr double max_curvature = 100;   ///< h kappa
@@ -66,8 +66,8 @@ CurvatureModel curvature_model_from_json(const std::string& text,
                                          const std::filesystem::path& file) {
     const Json json = parse_json(text, file.string(), "a curvature model");
     const JsonReader reader(json, file.string(), "");
-    if (reader.value("format") != format_name)
-        reader.refuse("format", std::string("'") + format_name + "'");
+    if (reader.value("format") != curvature_model_format)
+        reader.refuse("format", std::string("'") + curvature_model_format + "'");
     if (reader.value("format_version") != 1)
         reader.refuse("format_version", "1 for this program to read it");
     CurvatureModel model;
@@ -102,7 +102,7 @@ std::string curvature_model_to_json(const CurvatureModel& model) {
     Json residuals = Json::array();
     for (const CurvatureResidual& residual : model.residuals)
         residuals.push_back(residual_json(residual));
-    const Json json = {{"format", format_name},
+    const Json json = {{"format", curvature_model_format},
                        {"format_version", 1},
                        {"dimension", model.map.dimension},
                        {"coefficients", coefficients_json(model.map)},
@@ -154,7 +154,7 @@ bool is_curvature_model(const std::filesystem::path& file) {
     const Json json =
         parse_json(text_of_file(file, "a model file"), file.string(), "a model of either kind");
     const auto format = json.is_object() ? json.find("format") : json.end();
-    return format != json.end() && *format == format_name;
+    return format != json.end() && *format == curvature_model_format;
 }
 
 void check_dimension(const CurvatureModel& model, int dimension, const std::string& file) {

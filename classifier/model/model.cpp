@@ -12,7 +12,7 @@
 namespace meniscus {
 namespace {
 
-constexpr const char* format_name = "meniscus model";
+constexpr const char* model_format = "meniscus model";
 constexpr int format_version = 1;
 
 constexpr const char* side_key = "surface_side";
@@ -23,8 +23,8 @@ constexpr double max_spacing_ratio = 1e3;
 constexpr double max_neighbor_count = 1e6;
 
 void check_format(const JsonReader& reader) {
-    if (reader.value("format") != format_name)
-        reader.refuse("format", std::string("'") + format_name + "'");
+    if (reader.value("format") != model_format)
+        reader.refuse("format", std::string("'") + model_format + "'");
     if (reader.value("format_version") != format_version)
         reader.refuse("format_version",
                       std::to_string(format_version) + " for this program to read it");
@@ -187,7 +187,7 @@ std::string model_to_json(const Model& model) {
                          {"scene", file.scene},
                          {"particles", file.particles},
                          {"surface_particles", file.surface_particles}});
-    Json json = {{"format", format_name},
+    Json json = {{"format", model_format},
                  {"format_version", format_version},
                  {"k", model.line.k},
                  {"d", model.line.d},

@@ -5,6 +5,7 @@
 #include <meniscus/data/hdf5/hdf5_signature.hpp>
 #include <meniscus/data/hdf5/isolated_read.hpp>
 #include <meniscus/data/text/errors.hpp>
+#include <meniscus/data/text/files.hpp>
 
 namespace meniscus {
 namespace {
@@ -18,8 +19,20 @@ std::string known_names() {
     return names;
 }
 
-Snapshot read(const OpenedFile& file, const ReadChoices& choices) {
-    const Hdf5Source source = open_source(file);
+/// The child that reads can open nothing more.
+std::string metadata_beside(const fs::path& file) {
+    const fs::path beside = file.parent_path() / "metadata.json";
+    std::error_code ignored;
+    constexpr std::uintmax_t max_bytes = 1 << 20;
+    const bool is_there = fs::is_regular_file(beside, ignored);
+    return is_there && fs::file_size(beside, ignored) - 1 < max_bytes
+               ? read_whole(beside, max_bytes)
+               : "";
+}
+
+Snapshot read(const OpenedFile& file, const std::string& metadata, const ReadChoices& choices) {
+    Hdf5Source source = open_source(file);
+    source.metadata = metadata;
     for (const Hdf5Format& format : hdf5_formats())
         if (format.holds(source))
             return format.read(source, choices);
@@ -28,7 +41,9 @@ Snapshot read(const OpenedFile& file, const ReadChoices& choices) {
 }
 
 Snapshot read_hdf5(const fs::path& file, const ReadChoices& choices) {
-    return read_isolated(file, [&](const OpenedFile& given) { return read(given, choices); });
+    const std::string metadata = metadata_beside(file);
+    return read_isolated(file,
+                         [&](const OpenedFile& given) { return read(given, metadata, choices); });
 }
 
 } // namespace

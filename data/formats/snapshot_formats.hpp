@@ -34,13 +34,22 @@ SnapshotFormat vtk_xml_format();
 SnapshotFormat ply_format();
 SnapshotFormat npy_format();
 SnapshotFormat xyz_format();
+SnapshotFormat deep_lagrangian_fluids_format();
 SnapshotFormat lammps_format();
 SnapshotFormat csv_format();
 
 /// In the order in which a file is tried.
 inline std::vector<SnapshotFormat> snapshot_formats() {
-    return {hdf5_format(), legacy_vtk_format(), vtk_xml_format(), bgeo_format(), ply_format(),
-            npy_format(),  xyz_format(),        lammps_format(),  csv_format()};
+    return {hdf5_format(),
+            legacy_vtk_format(),
+            vtk_xml_format(),
+            bgeo_format(),
+            ply_format(),
+            npy_format(),
+            deep_lagrangian_fluids_format(),
+            xyz_format(),
+            lammps_format(),
+            csv_format()};
 }
 
 } // namespace meniscus

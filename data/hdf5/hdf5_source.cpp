@@ -289,6 +289,29 @@ ArrayValues read_numbers(const Hdf5Source& source, const Dataset& dataset) {
     return read;
 }
 
+ArrayValues read_last_row(const Hdf5Source& source, const Dataset& dataset) {
+    Dimensions begin(dataset.dimensions.size(), 0);
+    Dimensions count = dataset.dimensions;
+    begin[0] = dataset.dimensions[0] - 1;
+    count[0] = 1;
+    const Handle space(H5Dget_space(dataset.id), H5Sclose);
+    const Handle row(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr),
+                     H5Sclose);
+    ArrayValues read = empty_values(source, dataset);
+    std::visit(
+        [&](auto& values) {
+            using Number = typename std::decay_t<decltype(values)>::value_type;
+            values.resize(value_count(dataset) / dataset.dimensions[0]);
+            if (!values.empty() && (H5Sselect_hyperslab(space, H5S_SELECT_SET, begin.data(),
+                                                        nullptr, count.data(), nullptr) < 0 ||
+                                    H5Dread(dataset.id, number_type<Number>(), row, space,
+                                            H5P_DEFAULT, values.data()) < 0))
+                fail(source, dataset.path, "readable numbers", "damaged ones; make the file again");
+        },
+        read);
+    return read;
+}
+
 std::string text_dataset(const Hdf5Source& source, const std::string& path) {
     const Dataset dataset = open_dataset(source, path);
     if (!dataset.dimensions.empty())

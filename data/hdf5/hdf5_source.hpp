@@ -21,6 +21,8 @@ struct Hdf5Source {
     std::filesystem::path path;
     std::uint64_t bytes;
     Handle file;
+    std::string metadata =
+        {}; ///< of metadata.json beside it, as read before; empty where there is none
 };
 
 /// A dataset whose dimensions the file can hold.
@@ -65,6 +67,9 @@ void read_into(const Hdf5Source& source, const Dataset& dataset, hid_t memory_ty
 
 /// All values in their stored type.
 ArrayValues read_numbers(const Hdf5Source& source, const Dataset& dataset);
+
+/// The values at the last index of the first dimension, of which there must be one.
+ArrayValues read_last_row(const Hdf5Source& source, const Dataset& dataset);
 
 /// The one text of a dataset; empty where it is no text.
 std::string text_dataset(const Hdf5Source& source, const std::string& path);

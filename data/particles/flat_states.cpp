@@ -12,7 +12,8 @@ namespace {
 
 constexpr double flatness = 1e-6; // of the extent; no layer of particles is as thin
 
-constexpr std::size_t min_particles = 4; // three always have a plane, and it may be one of these
+constexpr std::size_t min_plane_particles =
+    4; // three always have a plane, and it may be one of these
 
 /// Which axes become x, y and z.
 struct Plane {
@@ -106,7 +107,7 @@ const Plane* plane_of(const Snapshot& snapshot, const Bounds& bounds) {
         return nullptr;
     if (is_flat(2))
         return planes;
-    if (bounds.count < min_particles || is_flat(0) == is_flat(1) || is_line(snapshot, bounds))
+    if (bounds.count < min_plane_particles || is_flat(0) == is_flat(1) || is_line(snapshot, bounds))
         return nullptr;
     return is_flat(1) ? planes + 1 : planes + 2;
 }

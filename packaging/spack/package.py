@@ -26,6 +26,7 @@ class Meniscus(CMakePackage):
     depends_on("nlohmann-json@3.10:")
     depends_on("openssl")
     depends_on("zlib-api")
+    depends_on("zstd")
     depends_on("py-torch", when="+trainer")
     extends("python", when="+python")
     depends_on("python@3.9:", type=("build", "run"), when="+python")

@@ -75,8 +75,8 @@ int median_neighbor_count(const Count* counts, std::size_t size) {
 /// True for surface. A particle without neighbors is surface, and so is one whose features are
 /// not finite: a false positive costs time, a false negative corrupts the physics.
 template <class Real, int Dimension, class Count>
-bool is_surface(const FeatureSum<Real, Dimension, Count>& sum, const SurfaceLine<Real>& line,
-                Real support_radius) {
+MENISCUS_HOST_DEVICE bool is_surface(const FeatureSum<Real, Dimension, Count>& sum,
+                                     const SurfaceLine<Real>& line, Real support_radius) {
     // y - d <= k x, both sides squared: that saves the square root in x. Dividing first keeps
     // small masses and radii from underflowing. | and & in place of || and &&, because whether a
     // particle is surface is what a branch cannot be predicted on.

@@ -28,7 +28,7 @@ inline namespace MENISCUS_INSTRUCTION_SET {
 /// The square root, lane by lane; specialize it for vectors.
 template <class Number>
 struct SquareRoot {
-    static Number of(Number a) { return std::sqrt(a); }
+    MENISCUS_HOST_DEVICE static Number of(Number a) { return std::sqrt(a); }
 };
 
 /// `Number` is float, double or a vector of them. Where lanes do not count, weights are 0 and the
@@ -40,14 +40,14 @@ struct FeatureNeighbor {
     Number mass;                        ///< m_j (h_i / h_ij)^D in kg: the weight in means
     Number count; ///< (h_j / h_ij)^D: the weight in sums; 1 where radii do not vary
 
-    [[nodiscard]] MENISCUS_INLINE Number distance() const {
+    [[nodiscard]] MENISCUS_HOST_DEVICE MENISCUS_INLINE Number distance() const {
         return SquareRoot<Number>::of(squared);
     }
 };
 
 /// Squared length of a displacement.
 template <class Real, int Dimension, class Vector>
-Real squared_length(const Vector& displacement) {
+MENISCUS_HOST_DEVICE Real squared_length(const Vector& displacement) {
     Real sum = 0;
     for (std::size_t axis = 0; axis < Dimension; ++axis)
         sum += displacement[axis] * displacement[axis];
@@ -57,20 +57,23 @@ Real squared_length(const Vector& displacement) {
 /// Which neighbors count, of particles with these radii and spheres of radius ratio r2 / r1. In m^2
 /// for one radius; where radii vary, in squared radii of the pair.
 template <class Real>
-NeighborRange<Real> range_of(const UniformRadius<Real>& radii, double radius_ratio) {
+MENISCUS_HOST_DEVICE NeighborRange<Real> range_of(const UniformRadius<Real>& radii,
+                                                  double radius_ratio) {
     return neighbor_range<Real>(static_cast<double>(radii.radius), radius_ratio);
 }
 template <class Real>
-NeighborRange<Real> range_of(const VaryingRadii<Real>& /*radii*/, double radius_ratio) {
+MENISCUS_HOST_DEVICE NeighborRange<Real> range_of(const VaryingRadii<Real>& /*radii*/,
+                                                  double radius_ratio) {
     return neighbor_range<Real>(1, radius_ratio);
 }
 
 /// Calls visit(FeatureNeighbor) for the particle j at `displacement` = x_j - x_i (m) of mass m_j
 /// (kg), unless it lies outside `range` (i itself, too close, beyond h), which is range_of(radii).
 template <int Dimension, class Real, class Vector, class Visit>
-void visit_if_in_range(const Vector& displacement, Real mass, std::size_t /*i*/, std::size_t /*j*/,
-                       const UniformRadius<Real>& radii, const NeighborRange<Real>& range,
-                       Visit&& visit) {
+MENISCUS_HOST_DEVICE void visit_if_in_range(const Vector& displacement, Real mass,
+                                            std::size_t /*i*/, std::size_t /*j*/,
+                                            const UniformRadius<Real>& radii,
+                                            const NeighborRange<Real>& range, Visit&& visit) {
     const Real squared = squared_length<Real, Dimension>(displacement);
     if (!range.contains(squared))
         return;
@@ -84,14 +87,14 @@ void visit_if_in_range(const Vector& displacement, Real mass, std::size_t /*i*/,
 }
 
 template <int Dimension, class Real>
-Real to_the_dimension(Real value) {
+MENISCUS_HOST_DEVICE Real to_the_dimension(Real value) {
     return Dimension == 2 ? value * value : value * value * value;
 }
 
 template <int Dimension, class Real, class Vector, class Visit>
-void visit_if_in_range(const Vector& displacement, Real mass, std::size_t i, std::size_t j,
-                       const VaryingRadii<Real>& radii, const NeighborRange<Real>& range,
-                       Visit&& visit) {
+MENISCUS_HOST_DEVICE void visit_if_in_range(const Vector& displacement, Real mass, std::size_t i,
+                                            std::size_t j, const VaryingRadii<Real>& radii,
+                                            const NeighborRange<Real>& range, Visit&& visit) {
     const Real inverse = radii.inverse_of_pair(i, j);
     FeatureNeighbor<Real, Dimension> neighbor;
     for (std::size_t axis = 0; axis < Dimension; ++axis)
@@ -111,8 +114,9 @@ template <int Dimension>
 inline constexpr int mean_vector_terms = Dimension + 1;
 
 template <class Number, int Dimension>
-MENISCUS_INLINE void add_to_mean_vector(const FeatureNeighbor<Number, Dimension>& neighbor,
-                                        const Number& weight, Number* sums) {
+MENISCUS_HOST_DEVICE MENISCUS_INLINE void
+add_to_mean_vector(const FeatureNeighbor<Number, Dimension>& neighbor, const Number& weight,
+                   Number* sums) {
     for (std::size_t axis = 0; axis < Dimension; ++axis)
         sums[axis] += weight * neighbor.step[axis];
     sums[Dimension] += neighbor.mass;
@@ -120,7 +124,7 @@ MENISCUS_INLINE void add_to_mean_vector(const FeatureNeighbor<Number, Dimension>
 
 /// and its length; 0 where there is no neighbor.
 template <int Dimension, class Real>
-Real length_of_mean_vector(const Real* sums) {
+MENISCUS_HOST_DEVICE Real length_of_mean_vector(const Real* sums) {
     if (sums[Dimension] == 0)
         return 0;
     Real mean[axis_count<Dimension>]; // divided first, as masses may be tiny
@@ -134,8 +138,9 @@ template <int Dimension>
 inline constexpr int matrix_terms = Dimension*(Dimension + 1) / 2;
 
 template <class Number, int Dimension>
-MENISCUS_INLINE void add_to_matrix(const FeatureNeighbor<Number, Dimension>& neighbor,
-                                   const Number& weight, Number* sums) {
+MENISCUS_HOST_DEVICE MENISCUS_INLINE void
+add_to_matrix(const FeatureNeighbor<Number, Dimension>& neighbor, const Number& weight,
+              Number* sums) {
     for (std::size_t row = 0; row < Dimension; ++row) {
         const Number along = weight * neighbor.step[row];
         for (std::size_t column = 0; column <= row; ++column)

@@ -27,8 +27,8 @@ struct FeatureSum {
     /// Adds a particle at `displacement` = x_j - x_i (m), whose squared length (m^2) the caller
     /// has, with mass m_j (kg). Outside the range (itself, too close, beyond h) it adds nothing.
     template <class Vector>
-    void add(const Vector& displacement, Real distance_squared, Real neighbor_mass,
-             const NeighborRange<Real>& range) {
+    MENISCUS_HOST_DEVICE void add(const Vector& displacement, Real distance_squared,
+                                  Real neighbor_mass, const NeighborRange<Real>& range) {
         // A branch, not a mask: hosts deliver little else than neighbors, so it is predicted.
         if (!range.contains(distance_squared))
             return;
@@ -37,7 +37,8 @@ struct FeatureSum {
 
     /// The same without a look at the range, for a neighbor that counts `weight` times.
     template <class Vector>
-    void add_counted(const Vector& displacement, Real neighbor_mass, Count weight) {
+    MENISCUS_HOST_DEVICE void add_counted(const Vector& displacement, Real neighbor_mass,
+                                          Count weight) {
         for (std::size_t axis = 0; axis < Dimension; ++axis)
             moment[axis] += neighbor_mass * displacement[axis];
         mass += neighbor_mass;
@@ -47,8 +48,8 @@ struct FeatureSum {
     /// The same where all particles have the same mass, which then cancels out and costs nothing.
     /// Not to be mixed with the other.
     template <class Vector>
-    void add_equal_mass(const Vector& displacement, Real distance_squared,
-                        const NeighborRange<Real>& range) {
+    MENISCUS_HOST_DEVICE void add_equal_mass(const Vector& displacement, Real distance_squared,
+                                             const NeighborRange<Real>& range) {
         if (!range.contains(distance_squared))
             return;
         for (std::size_t axis = 0; axis < Dimension; ++axis)
@@ -59,8 +60,8 @@ struct FeatureSum {
     /// Adds a boundary particle that stands for `weight` fluid particles (neighbors/boundary.hpp),
     /// each with the mean mass of the fluid neighbors, which come first. Counts are real then.
     template <class Vector>
-    void add_boundary(const Vector& displacement, Real distance_squared, Real weight,
-                      const NeighborRange<Real>& range) {
+    MENISCUS_HOST_DEVICE void add_boundary(const Vector& displacement, Real distance_squared,
+                                           Real weight, const NeighborRange<Real>& range) {
         static_assert(!std::is_integral_v<Count>, "boundary particles count by their volume: use "
                                                   "FeatureSum<Real, Dimension, Real>");
         if (!range.contains(distance_squared))
@@ -73,18 +74,21 @@ struct FeatureSum {
     }
 
     /// Of the neighbors so far, boundary included; 1 where all masses are.
-    [[nodiscard]] Real mean_mass() const {
+    [[nodiscard]] MENISCUS_HOST_DEVICE Real mean_mass() const {
         return mass == 0 ? Real(1) : mass / static_cast<Real>(count);
     }
 
     /// What `mass` stands for: their number where all masses are 1.
-    [[nodiscard]] Real total_mass() const { return mass == 0 ? static_cast<Real>(count) : mass; }
+    [[nodiscard]] MENISCUS_HOST_DEVICE Real total_mass() const {
+        return mass == 0 ? static_cast<Real>(count) : mass;
+    }
 };
 
 /// Feature x (eq. 1): |sum_j m_j (x_j - x_i)| / (h sum_j m_j), without unit, between 0 and 1; 0
 /// where there is no neighbor.
 template <class Real, int Dimension, class Count>
-Real mass_offset(const FeatureSum<Real, Dimension, Count>& sum, Real support_radius) {
+MENISCUS_HOST_DEVICE Real mass_offset(const FeatureSum<Real, Dimension, Count>& sum,
+                                      Real support_radius) {
     if (sum.count == 0)
         return 0;
     using Limits = std::numeric_limits<Real>;

@@ -21,15 +21,15 @@ struct GradientEigenvalue {
     static constexpr int terms = matrix_terms<Dimension>;
 
     template <class Real, class Number, int Dimension>
-    MENISCUS_INLINE static void add(const FeatureNeighbor<Number, Dimension>& neighbor,
-                                    Number* sums) {
+    MENISCUS_HOST_DEVICE MENISCUS_INLINE static void
+    add(const FeatureNeighbor<Number, Dimension>& neighbor, Number* sums) {
         constexpr auto scale = static_cast<Real>(cubic_spline_scale<Dimension>);
         const Number q = neighbor.distance();
         const Number slope = -CubicSplinePieces<Real, Number>(q).slope(scale) / q;
         add_to_matrix<Number, Dimension>(neighbor, neighbor.count * slope, sums);
     }
     template <int Dimension, class Real>
-    static Real value(const Real* sums) {
+    MENISCUS_HOST_DEVICE static Real value(const Real* sums) {
         return min_eigenvalue<Dimension>(sums);
     }
 };

@@ -20,14 +20,14 @@ struct KernelSum {
     static constexpr int terms = 1;
 
     template <class Real, class Number, int Dimension>
-    MENISCUS_INLINE static void add(const FeatureNeighbor<Number, Dimension>& neighbor,
-                                    Number* sums) {
+    MENISCUS_HOST_DEVICE MENISCUS_INLINE static void
+    add(const FeatureNeighbor<Number, Dimension>& neighbor, Number* sums) {
         constexpr auto scale = static_cast<Real>(cubic_spline_scale<Dimension>);
         const CubicSplinePieces<Real, Number> pieces(neighbor.distance());
         sums[0] += neighbor.count * pieces.value(scale);
     }
     template <int Dimension, class Real>
-    static Real value(const Real* sums) {
+    MENISCUS_HOST_DEVICE static Real value(const Real* sums) {
         constexpr auto scale = static_cast<Real>(cubic_spline_scale<Dimension>);
         return sums[0] + CubicSplinePieces<Real, Real>(0).value(scale);
     }

@@ -20,7 +20,7 @@ inline namespace MENISCUS_INSTRUCTION_SET {
 
 /// Tests the bits, because -ffast-math lets a compiler assume that std::isfinite is always true.
 template <class Real>
-bool is_finite(Real value) {
+MENISCUS_HOST_DEVICE bool is_finite(Real value) {
     constexpr auto sign_bit = sizeof(Real) * 8 - 1;
     const auto magnitude = static_cast<decltype(bits_of(value))>(bits_of(value) << 1) >> 1;
     static_assert(sizeof(magnitude) * 8 - 1 == sign_bit);
@@ -31,7 +31,7 @@ bool is_finite(Real value) {
 /// above the line, y >= k x + d. Likewise where a feature is not finite: a false positive costs
 /// time, a false negative corrupts the physics.
 template <class Real>
-bool is_on_surface_side(Real x, Real y, Real k, Real d, bool above) {
+MENISCUS_HOST_DEVICE bool is_on_surface_side(Real x, Real y, Real k, Real d, bool above) {
     const Real line = k * x + d;
     return (above ? y >= line : y <= line) || !is_finite(x) || !is_finite(y);
 }
@@ -133,7 +133,7 @@ struct LineSum {
     Real count = 0; ///< their weights in sums
 
     /// Adds a neighbor that counts.
-    void add_counted(const FeatureNeighbor<Real, Dimension>& neighbor) {
+    MENISCUS_HOST_DEVICE void add_counted(const FeatureNeighbor<Real, Dimension>& neighbor) {
         First::template add<Real>(neighbor, first);
         Second::template add<Real>(neighbor, second);
         mass += neighbor.mass;
@@ -144,8 +144,9 @@ struct LineSum {
     /// i, which matter where radii vary. Outside `range`, which is range_of(radii), it adds
     /// nothing.
     template <class Vector, class Radii>
-    void add(const Vector& displacement, Real neighbor_mass, std::size_t i, std::size_t j,
-             const Radii& radii, const NeighborRange<Real>& range) {
+    MENISCUS_HOST_DEVICE void add(const Vector& displacement, Real neighbor_mass, std::size_t i,
+                                  std::size_t j, const Radii& radii,
+                                  const NeighborRange<Real>& range) {
         visit_if_in_range<Dimension>(displacement, neighbor_mass, i, j, radii, range,
                                      [&](const auto& neighbor) { add_counted(neighbor); });
     }
@@ -153,8 +154,8 @@ struct LineSum {
     /// Adds a boundary particle that stands for `weight` fluid particles (neighbors/boundary.hpp),
     /// each with the mean mass of the fluid neighbors, which come first.
     template <class Vector, class Radii>
-    void add_boundary(const Vector& displacement, Real weight, std::size_t i, const Radii& radii,
-                      const NeighborRange<Real>& range) {
+    MENISCUS_HOST_DEVICE void add_boundary(const Vector& displacement, Real weight, std::size_t i,
+                                           const Radii& radii, const NeighborRange<Real>& range) {
         const Real mean_mass = count > 0 ? mass / count : Real(1);
         visit_if_in_range<Dimension>(displacement, weight * mean_mass, i, i, radii, range,
                                      [&](auto neighbor) {
@@ -167,7 +168,8 @@ struct LineSum {
 /// True for surface; a particle without neighbors is. `scale`: count_scale() of the struct that the
 /// line belongs to.
 template <class Coefficients, class Real, int Dimension>
-bool is_surface(const LineSum<Coefficients, Real, Dimension>& sum, double scale = 1) {
+MENISCUS_HOST_DEVICE bool is_surface(const LineSum<Coefficients, Real, Dimension>& sum,
+                                     double scale = 1) {
     using Sum = LineSum<Coefficients, Real, Dimension>;
     constexpr FeaturePair pair = Sum::Features::pair;
     return sum.count == 0 ||

@@ -19,12 +19,12 @@ struct MassOffset {
     static constexpr int terms = mean_vector_terms<Dimension>;
 
     template <class Real, class Number, int Dimension>
-    MENISCUS_INLINE static void add(const FeatureNeighbor<Number, Dimension>& neighbor,
-                                    Number* sums) {
+    MENISCUS_HOST_DEVICE MENISCUS_INLINE static void
+    add(const FeatureNeighbor<Number, Dimension>& neighbor, Number* sums) {
         add_to_mean_vector(neighbor, neighbor.mass, sums);
     }
     template <int Dimension, class Real>
-    static Real value(const Real* sums) {
+    MENISCUS_HOST_DEVICE static Real value(const Real* sums) {
         return length_of_mean_vector<Dimension>(sums);
     }
 };

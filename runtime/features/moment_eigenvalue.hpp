@@ -19,12 +19,12 @@ struct MomentEigenvalue {
     static constexpr int terms = matrix_terms<Dimension>;
 
     template <class Real, class Number, int Dimension>
-    MENISCUS_INLINE static void add(const FeatureNeighbor<Number, Dimension>& neighbor,
-                                    Number* sums) {
+    MENISCUS_HOST_DEVICE MENISCUS_INLINE static void
+    add(const FeatureNeighbor<Number, Dimension>& neighbor, Number* sums) {
         add_to_matrix<Number, Dimension>(neighbor, neighbor.count, sums);
     }
     template <int Dimension, class Real>
-    static Real value(const Real* sums) {
+    MENISCUS_HOST_DEVICE static Real value(const Real* sums) {
         return min_eigenvalue<Dimension>(sums);
     }
 };

@@ -19,12 +19,12 @@ struct NeighborCount {
     static constexpr int terms = 1;
 
     template <class Real, class Number, int Dimension>
-    MENISCUS_INLINE static void add(const FeatureNeighbor<Number, Dimension>& neighbor,
-                                    Number* sums) {
+    MENISCUS_HOST_DEVICE MENISCUS_INLINE static void
+    add(const FeatureNeighbor<Number, Dimension>& neighbor, Number* sums) {
         sums[0] += neighbor.count;
     }
     template <int Dimension, class Real>
-    static Real value(const Real* sums) {
+    MENISCUS_HOST_DEVICE static Real value(const Real* sums) {
         return sums[0];
     }
 };

@@ -20,15 +20,15 @@ struct PositionDivergence {
     static constexpr int terms = 1;
 
     template <class Real, class Number, int Dimension>
-    MENISCUS_INLINE static void add(const FeatureNeighbor<Number, Dimension>& neighbor,
-                                    Number* sums) {
+    MENISCUS_HOST_DEVICE MENISCUS_INLINE static void
+    add(const FeatureNeighbor<Number, Dimension>& neighbor, Number* sums) {
         constexpr auto scale = static_cast<Real>(cubic_spline_scale<Dimension>);
         const Number q = neighbor.distance();
         const Number slope = -CubicSplinePieces<Real, Number>(q).slope(scale) / q;
         sums[0] += neighbor.count * slope * neighbor.squared;
     }
     template <int Dimension, class Real>
-    static Real value(const Real* sums) {
+    MENISCUS_HOST_DEVICE static Real value(const Real* sums) {
         return sums[0];
     }
 };

@@ -15,7 +15,7 @@ inline constexpr double pi = 3.14159265358979323846;
 
 /// Arc tangent of z in [0, 1], within 2e-16: taken from the nearest quarter, where what is left is
 /// at most 1/8 and nine terms of the series do.
-inline double arctangent_to_one(double z) {
+MENISCUS_HOST_DEVICE inline double arctangent_to_one(double z) {
     constexpr double of_quarters[] = {0, 0.24497866312686415417, 0.46364760900080611621,
                                       0.64350110879328438680, 0.78539816339744830962};
     const int quarter = static_cast<int>(z * 4 + 0.5); // NOLINT: rounds well, z is not negative
@@ -29,7 +29,7 @@ inline double arctangent_to_one(double z) {
 }
 
 /// Angle of the point (x, y) from the x axis, in [-pi, pi]; 0 at the origin.
-inline double arctangent(double y, double x) {
+MENISCUS_HOST_DEVICE inline double arctangent(double y, double x) {
     const double across = std::fabs(y);
     const double along = std::fabs(x);
     double angle = 0;
@@ -44,7 +44,7 @@ inline double arctangent(double y, double x) {
 
 /// Sine and cosine of 2 pi times `turn` in [0, 1). The C library's differ in the last bit between
 /// machines; a Taylor series within an eighth of a turn does not, and is as exact.
-inline std::array<double, 2> cosine_and_sine_of_turn(double turn) {
+MENISCUS_HOST_DEVICE inline std::array<double, 2> cosine_and_sine_of_turn(double turn) {
     const auto octant = static_cast<int>(turn * 8);
     // Even octants count up from their start, odd ones down from their end.
     const double part = octant % 2 == 0 ? turn - octant / 8.0 : (octant + 1) / 8.0 - turn;

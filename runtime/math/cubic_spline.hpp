@@ -14,7 +14,7 @@ inline constexpr double cubic_spline_scale = Dimension == 2 ? 40 / (7 * pi) : 8 
 
 /// The spline without its normalization; `q` is not negative.
 template <class Real>
-MENISCUS_INLINE Real cubic_spline(Real q) {
+MENISCUS_HOST_DEVICE MENISCUS_INLINE Real cubic_spline(Real q) {
     if (q >= 1)
         return 0;
     const Real rest = 1 - q;

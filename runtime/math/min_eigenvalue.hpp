@@ -13,13 +13,13 @@ inline namespace MENISCUS_INSTRUCTION_SET {
 
 namespace eigenvalue {
 
-inline double min_of(const double (&m)[3]) {
+MENISCUS_HOST_DEVICE inline double min_of(const double (&m)[3]) {
     const double half_difference = (m[0] - m[2]) / 2;
     return (m[0] + m[2]) / 2 - std::sqrt(half_difference * half_difference + m[1] * m[1]);
 }
 
 /// By the angle of the characteristic polynomial's roots (Smith 1961).
-inline double min_of(const double (&m)[6]) {
+MENISCUS_HOST_DEVICE inline double min_of(const double (&m)[6]) {
     const double mean = (m[0] + m[2] + m[5]) / 3;
     const double a = m[0] - mean;
     const double b = m[2] - mean;
@@ -42,7 +42,7 @@ inline double min_of(const double (&m)[6]) {
 /// Of the matrix whose entries on and below the diagonal stand in `lower`, row by row: 3 of them in
 /// two dimensions, 6 in three. In their unit; not a number where one of them is none.
 template <int Dimension, class Real>
-Real min_eigenvalue(const Real* lower) {
+MENISCUS_HOST_DEVICE Real min_eigenvalue(const Real* lower) {
     static_assert(Dimension == 2 || Dimension == 3, "matrices have two or three rows");
     double entries[axis_count<Dimension*(Dimension + 1) / 2>];
     for (double& entry : entries)
@@ -54,7 +54,7 @@ Real min_eigenvalue(const Real* lower) {
 /// identity is positive definite, which the pivots of its elimination tell. False where an entry is
 /// not a number, unless the compiler may assume that there is none.
 template <int Dimension, class Real>
-bool is_min_eigenvalue_above(const Real* lower, Real limit) {
+MENISCUS_HOST_DEVICE bool is_min_eigenvalue_above(const Real* lower, Real limit) {
     static_assert(Dimension == 2 || Dimension == 3, "matrices have two or three rows");
     double m[axis_count<Dimension>][axis_count<Dimension>];
     for (std::size_t row = 0; row < Dimension; ++row)

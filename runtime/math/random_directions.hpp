@@ -16,7 +16,7 @@ namespace meniscus {
 inline namespace MENISCUS_INSTRUCTION_SET {
 
 /// Well mixed 64 bits of a number (SplitMix64's output function, Steele et al. 2014).
-constexpr std::uint64_t mix_bits(std::uint64_t value) {
+MENISCUS_HOST_DEVICE constexpr std::uint64_t mix_bits(std::uint64_t value) {
     value += 0x9e3779b97f4a7c15ULL;
     value = (value ^ (value >> 30)) * 0xbf58476d1ce4e5b9ULL;
     value = (value ^ (value >> 27)) * 0x94d049bb133111ebULL;

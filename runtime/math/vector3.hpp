@@ -10,23 +10,23 @@ inline namespace MENISCUS_INSTRUCTION_SET {
 
 using Vector3 = std::array<double, 3>;
 
-inline double dot(const Vector3& a, const Vector3& b) {
+MENISCUS_HOST_DEVICE inline double dot(const Vector3& a, const Vector3& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-inline Vector3 cross(const Vector3& a, const Vector3& b) {
+MENISCUS_HOST_DEVICE inline Vector3 cross(const Vector3& a, const Vector3& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-inline Vector3 scaled(double factor, const Vector3& a) {
+MENISCUS_HOST_DEVICE inline Vector3 scaled(double factor, const Vector3& a) {
     return {factor * a[0], factor * a[1], factor * a[2]};
 }
 
-inline Vector3 sum(const Vector3& a, const Vector3& b) {
+MENISCUS_HOST_DEVICE inline Vector3 sum(const Vector3& a, const Vector3& b) {
     return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
 }
 
-inline Vector3 difference(const Vector3& a, const Vector3& b) {
+MENISCUS_HOST_DEVICE inline Vector3 difference(const Vector3& a, const Vector3& b) {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
@@ -35,7 +35,7 @@ inline Vector3 difference(const Vector3& a, const Vector3& b) {
 struct Frame {
     Vector3 first, second;
 
-    explicit Frame(const Vector3& axis) {
+    MENISCUS_HOST_DEVICE explicit Frame(const Vector3& axis) {
         const double sign = axis[2] < 0 ? -1.0 : 1.0;
         const double a = -1 / (sign + axis[2]);
         const double b = axis[0] * axis[1] * a;

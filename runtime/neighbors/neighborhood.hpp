@@ -29,7 +29,7 @@ inline constexpr double neighbor_band = 1e-5;
 /// The bits of a floating-point number as an unsigned integer. For numbers that are not negative
 /// their order is that of the numbers; infinity and NaN come last.
 template <class Real>
-auto bits_of(Real value) {
+MENISCUS_HOST_DEVICE auto bits_of(Real value) {
     static_assert(std::is_same_v<Real, float> || std::is_same_v<Real, double>);
     std::conditional_t<std::is_same_v<Real, float>, std::uint32_t, std::uint64_t> bits;
     std::memcpy(&bits, &value, sizeof bits);
@@ -39,7 +39,7 @@ auto bits_of(Real value) {
 /// True for positive numbers but infinity; by bits, so that it holds for NaN even under
 /// -ffast-math.
 template <class Real>
-bool is_positive_and_finite(Real value) {
+MENISCUS_HOST_DEVICE bool is_positive_and_finite(Real value) {
     using Limits = std::numeric_limits<Real>;
     return bits_of(value) - 1 < bits_of(Limits::infinity()) - 1;
 }
@@ -54,7 +54,7 @@ struct NeighborRange {
 
     /// True for distances strictly between the limits. One comparison of integers in place of two
     /// of numbers, and right for NaN even under -ffast-math.
-    [[nodiscard]] bool contains(Real distance_squared) const {
+    [[nodiscard]] MENISCUS_HOST_DEVICE bool contains(Real distance_squared) const {
         const auto above_inner = bits_of(distance_squared) - bits_of(inner_squared) - 1;
         return above_inner < bits_of(outer_squared) - bits_of(inner_squared) - 1;
     }

@@ -22,9 +22,10 @@ struct UniformRadius {
     Real radius;
     Real inverse = 1 / radius;
 
-    [[nodiscard]] Real of(std::size_t /*particle*/) const { return radius; }
+    [[nodiscard]] MENISCUS_HOST_DEVICE Real of(std::size_t /*particle*/) const { return radius; }
     /// 1 / h_ij in 1/m.
-    [[nodiscard]] Real inverse_of_pair(std::size_t /*i*/, std::size_t /*j*/) const {
+    [[nodiscard]] MENISCUS_HOST_DEVICE Real inverse_of_pair(std::size_t /*i*/,
+                                                            std::size_t /*j*/) const {
         return inverse;
     }
 };
@@ -36,8 +37,10 @@ struct VaryingRadii {
 
     const Real* radii;
 
-    [[nodiscard]] Real of(std::size_t particle) const { return radii[particle]; }
-    [[nodiscard]] Real inverse_of_pair(std::size_t i, std::size_t j) const {
+    [[nodiscard]] MENISCUS_HOST_DEVICE Real of(std::size_t particle) const {
+        return radii[particle];
+    }
+    [[nodiscard]] MENISCUS_HOST_DEVICE Real inverse_of_pair(std::size_t i, std::size_t j) const {
         return 2 / (radii[i] + radii[j]);
     }
 };

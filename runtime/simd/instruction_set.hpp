@@ -162,6 +162,14 @@
                       MENISCUS_SET_AVX512_MORE, MENISCUS_SET_REORDERED, MENISCUS_SET_FINITE,       \
                       MENISCUS_SET_ROUNDED, MENISCUS_SET_EXCEPTIONS, MENISCUS_SET_BUILD)
 
+// Functions that a kernel of a GPU may call, too: with nvcc, `--expt-relaxed-constexpr`
+// (docs/hosts.md).
+#if defined(__CUDACC__) || defined(__HIPCC__)
+#define MENISCUS_HOST_DEVICE __host__ __device__
+#else
+#define MENISCUS_HOST_DEVICE
+#endif
+
 // For the few functions whose result the compiler would otherwise pass through memory.
 #if defined(__GNUC__)
 #define MENISCUS_INLINE inline __attribute__((always_inline))

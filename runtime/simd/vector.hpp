@@ -95,11 +95,11 @@ MENISCUS_INLINE V gather(const LaneOf<V>* values, const std::uint32_t* index) {
                  values[index[4]], values[index[5]], values[index[6]], values[index[7]]};
 }
 
-inline double larger(double a, double b) {
+MENISCUS_HOST_DEVICE inline double larger(double a, double b) {
     return a > b ? a : b;
 }
 
-inline double smaller(double a, double b) {
+MENISCUS_HOST_DEVICE inline double smaller(double a, double b) {
     return a < b ? a : b;
 }
 

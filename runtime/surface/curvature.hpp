@@ -18,7 +18,7 @@ inline namespace MENISCUS_INSTRUCTION_SET {
 /// (1 + sqrt(1 - (r2 / r1)^2)) / 2 in three dimensions, 0.8 for the usual ratio, and would fall
 /// beyond; lambda is clamped there, and below at 0, where h kappa = -2.
 template <int Dimension>
-double curvature_of(double lambda, double radius_ratio) {
+MENISCUS_HOST_DEVICE double curvature_of(double lambda, double radius_ratio) {
     const double cosine = std::sqrt(1 - radius_ratio * radius_ratio); // of alpha, eq. 12
     if constexpr (Dimension == 2) {
         const double max = 1 - arctangent(radius_ratio, cosine) / pi;

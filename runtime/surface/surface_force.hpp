@@ -28,7 +28,7 @@ constexpr double kernel_integral = Dimension == 2 ? 1.0 : pi / 3;
 
 /// A length to the power D - 1.
 template <int Dimension, class Real>
-MENISCUS_INLINE Real to_area(Real length) {
+MENISCUS_HOST_DEVICE MENISCUS_INLINE Real to_area(Real length) {
     return Dimension == 2 ? length : length * length;
 }
 
@@ -53,6 +53,22 @@ MENISCUS_INLINE Real sheet_area(const SurfaceParticles<Real, Dimension>& list, s
     return own > 0 ? scale * own / sum : 0;
 }
 
+/// Size of the paper's force on a particle of that curvature (1/m), spacing (m) and weight.
+template <int Dimension, class Real>
+MENISCUS_HOST_DEVICE MENISCUS_INLINE Real paper_size(Real sigma, Real curvature, Real spacing,
+                                                     Real weight) {
+    return sigma * curvature * to_area<Dimension>(spacing) * weight;
+}
+
+/// Size of the calibrated force: `area` is the part of the sheet that the particle carries, in
+/// units of h^(D - 1), `turning` of the normals and `curvature` in 1/m.
+template <int Dimension, class Real>
+MENISCUS_HOST_DEVICE MENISCUS_INLINE Real calibrated_size(Real sigma, Real curvature, Real turning,
+                                                          Real area, Real radius, Real spacing) {
+    const Real stretch = 1 + turning * spacing / 2;
+    return (Dimension - 1) * (sigma * curvature) * area * to_area<Dimension>(radius * stretch);
+}
+
 } // namespace surface_force
 
 /// Sets the force on each surface particle from its normal and its curvature; 0 where covered.
@@ -66,13 +82,12 @@ void find_force(const SurfaceTensionOptions& options, const Radii& radii, const 
         for (std::size_t slot = begin; slot < end; ++slot) {
             const Real radius = radii.of(list.particle[slot]);
             const Real spacing = radius * to_spacing;
-            const Real pressure = sigma * list.curvature[slot];
-            Real size = pressure * to_area<Dimension>(spacing) * list.weight[slot];
-            if (options.force == ForceForm::calibrated) {
-                const Real stretch = 1 + list.turning[slot] * spacing / 2;
-                size = (Dimension - 1) * pressure * sheet_area(list, slot) *
-                       to_area<Dimension>(radius * stretch);
-            }
+            const Real size =
+                options.force == ForceForm::calibrated
+                    ? calibrated_size<Dimension>(sigma, list.curvature[slot], list.turning[slot],
+                                                 sheet_area(list, slot), radius, spacing)
+                    : paper_size<Dimension>(sigma, list.curvature[slot], spacing,
+                                            list.weight[slot]);
             for (std::size_t axis = 0; axis < Dimension; ++axis)
                 list.force[slot][axis] = -size * list.normal[slot][axis];
         }

@@ -120,14 +120,14 @@ void number_candidates(SurfaceParticles<Real, Dimension>& list) {
 /// goes to h kappa = -2 and not to 0, and the normal is that of chance. Exposure is lambda for
 /// small openings, and vanishes as well where a thin sheet is uncovered on both sides.
 /// `full` 0: every surface particle weighs 1, as in the 2020 paper.
-inline double exposure_weight(double exposure, double full) {
+MENISCUS_HOST_DEVICE inline double exposure_weight(double exposure, double full) {
     return exposure < full ? exposure / full : 1;
 }
 
 /// Exposure of a particle on a flat, dense surface: the uncovered part is the cap whose edge lies
 /// at the height r2 / r1.
 template <int Dimension>
-double flat_exposure(double radius_ratio) {
+MENISCUS_HOST_DEVICE double flat_exposure(double radius_ratio) {
     const double square = 1 - radius_ratio * radius_ratio;
     return Dimension == 2 ? std::sqrt(square) / pi : square / 4;
 }

@@ -54,7 +54,7 @@ TEST_F(Bench, DetectorsAndFeatures) {
           "features_3d.md", "features_3d.svg", "features_3d_2_percent.md"})
         EXPECT_TRUE(exists(file)) << file;
     const std::string text = bytes_of(folder / "out" / "detectors_3d.md");
-    EXPECT_EQ(text.rfind("| no. | detector |", 0), 0U) << text;
+    EXPECT_EQ(text.rfind("| detector |", 0), 0U) << text;
     expect_mentions(text, {"](detectors_3d_missed.svg)"});
 }
 
@@ -92,11 +92,6 @@ TEST_F(Bench, BadInputIsNamed) {
     fail(2, bench + Words{folder / "missing.vtkhdf"}, {"missing.vtkhdf"});
     fail(2, bench + Words{"--tables", "everything"}, {"--tables", "everything"});
     fail(2, bench + Words{"--repetitions", "0"}, {"--repetitions", "0"});
-}
-
-TEST_F(Bench, WithoutGnuplotItSaysSoBeforeItMeasures) {
-    fail_as(3, Words{"env", "PATH=/nowhere"} + program + Words{"bench", "-o", folder / "out"},
-            {"gnuplot", "install"});
 }
 
 } // namespace

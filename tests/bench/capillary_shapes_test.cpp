@@ -2,12 +2,11 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <meniscus/runtime/math/angles.hpp>
 #include <stdexcept>
 
 namespace meniscus {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 TEST(CapillaryShapes, ASmallDropIsACap) {
     for (const double angle : {pi / 6, pi / 2, 5 * pi / 6}) {

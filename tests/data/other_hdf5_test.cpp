@@ -4,6 +4,7 @@
 
 #include <meniscus/data/formats/snapshot_files.hpp>
 
+#include <fstream>
 #include <gtest/gtest.h>
 
 namespace meniscus {
@@ -95,6 +96,40 @@ TEST_F(OtherHdf5, TheLastStepOfH5PartIsRead) {
     expect_mentions(snapshot.notes[0], {"last of 2", "Step#10"});
     remove("/Step#10/y");
     expect_mentions(reading_error(), {"/Step#10/y"});
+}
+
+TEST_F(OtherHdf5, TheLastStateOfLagrangeBenchIsRead) {
+    add_group("00000");
+    add("00000/position", {1, 1, 2}, {7, 7});
+    add("00000/particle_type", {1}, {0});
+    add_group("00001");
+    add("00001/position", {2, 4, 2}, {9, 9, 9, 9, 9, 9, 9, 9, 1, 2, 3, 4, 5, 6, 7, 8});
+    add("00001/particle_type", {4}, {0, 1, 3, -1});
+    Snapshot snapshot = read_snapshot(file);
+    EXPECT_EQ(snapshot.positions, (Positions{{1, 2, 0}}));
+    EXPECT_EQ(snapshot.boundary, (Positions{{3, 4, 0}, {5, 6, 0}}));
+    EXPECT_EQ(snapshot.dimension, 2);
+    ASSERT_EQ(snapshot.notes.size(), 3U);
+    expect_mentions(snapshot.notes[0], {"metadata.json"});
+    expect_mentions(snapshot.notes[1], {"last of 2 states", "00001"});
+    expect_mentions(snapshot.notes[2], {"1 particles are fluid, 2 walls, 1 ignored"});
+
+    ReadChoices choices;
+    choices.fluid = {"particle_type=3"};
+    EXPECT_EQ(read_snapshot(file, choices).positions, (Positions{{5, 6, 0}}));
+
+    std::ofstream(folder / "metadata.json")
+        << R"({"dx": 0.5, "bounds": [[0, 8], [1, 9]], "periodic_boundary_conditions": [true, false]})";
+    snapshot = read_snapshot(file);
+    EXPECT_EQ(snapshot.particle_spacing, 0.5);
+    EXPECT_EQ(snapshot.provenance["periodic"], "x=0.0:8.0");
+
+    remove("/00001/particle_type");
+    add("00001/particle_type", {3}, {0, 1, 3});
+    expect_mentions(reading_error(), {"/00001/particle_type", "4 values"});
+    remove("/00001/position");
+    add("00001/position", {4, 2}, {1, 2, 3, 4, 5, 6, 7, 8});
+    expect_mentions(reading_error(), {"/00001/position", "states x particles"});
 }
 
 TEST_F(OtherHdf5, PolyDataAndSeriesOfOneStepAreVtkhdf) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <meniscus/runtime/math/angles.hpp>
 #include <numeric>
 #include <random>
 #include <set>
@@ -15,8 +16,6 @@ namespace {
 
 using Place = std::array<double, 3>;
 using LatticePlace = std::array<int, 3>;
-
-constexpr double pi = 3.14159265358979323846;
 
 double product(const Place& a, const Place& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

@@ -29,7 +29,7 @@ endfunction()
 
 # A machine that has no library.
 set(no_library)
-foreach(package benchmark CLI11 Eigen3 fmt GTest HDF5 hwy nlohmann_json OpenMP OpenSSL Qhull Torch ZLIB)
+foreach(package benchmark CLI11 Eigen3 fmt GTest HDF5 hwy nlohmann_json OpenMP OpenSSL Qhull Torch ZLIB zstd)
     list(APPEND no_library -DCMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
 endforeach()
 

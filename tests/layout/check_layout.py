@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Checks who includes whom in the source tree and that the pages name files that exist, and prints
-the longest chains of includes.
+"""Checks who includes whom in the source tree, that the pages name files that exist and that what a
+script fills in has one place, and prints the longest chains of includes.
 
 Usage: check_layout.py FOLDER
 
@@ -96,19 +96,37 @@ def check_generated(root, path, errors):
                       "all of them do")
 
 
+def pages(root):
+    return sorted([*root.glob("*.md"), *root.glob("docs/**/*.md")])
+
+
 def check_pages(root, errors):
     """Links between files, and files that a page names by their whole path: NAME stands for any. The
     changelog also names files that are gone."""
     named = re.compile(rf"\b(?:{'|'.join(MAY_INCLUDE)}|configs|docs|scripts|cmake)/[\w/.-]+\.\w+\b")
-    for page in sorted([*root.glob("*.md"), *root.glob("docs/*.md")]):
+    for page in pages(root):
         text = page.read_text()
-        links = re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", text)
+        links = re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", text) + re.findall(r'src="([^":]+)"', text)
         missing = {name for name in links if not (page.parent / name).exists()}
         if page.name != "CHANGELOG.md":
             missing |= {name for name in named.findall(re.sub(r"\]\([^)]*\)", "", text))
                         if "/NAME." not in name and not (root / name).exists()
                         and not (root / "include/meniscus" / name).exists()}
         errors += [f"{page.relative_to(root)}: {name} does not exist" for name in sorted(missing)]
+
+
+def check_marks(root, errors):
+    """What scripts/update_docs.sh writes between comments has a place, and only one."""
+    begun = {}
+    for page in pages(root):
+        name = page.relative_to(root)
+        marks = re.findall(r"^<!-- (begin|end) (.+) -->$", page.read_text(), re.MULTILINE)
+        for (kind, what), (end, other) in zip(marks[::2], marks[1::2] + [("", "")]):
+            if (kind, end) != ("begin", "end") or what != other:
+                errors.append(f"{name}: 'begin {what}' and 'end {what}' do not follow each other")
+            if what in begun:
+                errors.append(f"{name}: 'begin {what}' stands in {begun[what]}, too")
+            begun[what] = name
 
 
 def circle(graph):
@@ -177,6 +195,7 @@ def check(root):
             if unit(other) != unit(path):
                 others.add(unit(other))
     check_pages(root, errors)
+    check_marks(root, errors)
     return errors, without_circles(graph, "a circle", errors)
 
 

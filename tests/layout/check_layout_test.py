@@ -86,10 +86,19 @@ class CheckLayout(unittest.TestCase):
     def test_link_to_nothing(self):
         self.expect({"docs/page.md": "[A](../runtime/surface/step.hpp#top), [b](gone.md)"},
                     "docs/page.md: gone.md does not exist")
+        self.expect({"docs/data/page.md": '<img src="gone.png">'},
+                    "docs/data/page.md: gone.png does not exist")
 
     def test_page_names_a_file_that_is_gone(self):
         self.expect({"README.md": "`data/formats/csv.cpp` and `data/csv.cpp`"},
                     "README.md: data/csv.cpp does not exist")
+
+    def test_tables_of_the_docs_with_two_places_or_none(self):
+        place = "<!-- begin a -->\n<!-- end a -->\n"
+        self.assertEqual(errors_of({"docs/page.md": place}), [])
+        self.expect({"docs/page.md": place, "docs/data/page.md": place}, "'begin a' stands in")
+        self.expect({"docs/page.md": "<!-- begin a -->\n"}, "do not follow each other")
+        self.expect({"docs/page.md": "<!-- begin a -->\n<!-- end b -->\n"}, "'begin a' and 'end a'")
 
     def test_longest_chain(self):
         self.assertEqual(longest_chain({"a": {"b", "d"}, "b": {"c"}, "c": {"d"}}), ["a", "b", "c", "d"])

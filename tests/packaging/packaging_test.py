@@ -19,7 +19,7 @@ VERSION = re.search(r'MENISCUS_VERSION "([\d.]+)"',
 # What CMake calls a library, in Spack and vcpkg.
 LIBRARIES = {"CLI11": ("cli11", "cli11"), "Eigen3": ("eigen", "eigen3"), "fmt": ("fmt", "fmt"),
              "HDF5": ("hdf5", "hdf5"), "nlohmann_json": ("nlohmann-json", "nlohmann-json"),
-             "OpenSSL": ("openssl", "openssl"), "ZLIB": ("zlib-api", "zlib"),
+             "OpenSSL": ("openssl", "openssl"), "ZLIB": ("zlib-api", "zlib"), "zstd": ("zstd", "zstd"),
              "OpenMP": (None, None), "Torch": ("py-torch", None),
              "Python": ("python", None), "pybind11": ("py-pybind11", None)}
 # Folders that make what is installed.
@@ -72,7 +72,7 @@ class BillOfMaterials(unittest.TestCase):
         self.assertEqual((bill["bomFormat"], bill["specVersion"]), ("CycloneDX", "1.5"))
         self.assertEqual(bill["metadata"]["component"]["version"], VERSION)
         versions = {one["name"]: one["version"] for one in bill["components"]}
-        for name in ("hdf5", "openssl", "zlib", "fmt", "cli11", "eigen", "nlohmann-json"):
+        for name in ("hdf5", "openssl", "zlib", "zstd", "fmt", "cli11", "eigen", "nlohmann-json"):
             self.assertRegex(versions[name], r"^\d+\.\d+")
         self.assertEqual(bill["dependencies"][0]["dependsOn"], list(versions))
 

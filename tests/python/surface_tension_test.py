@@ -108,6 +108,27 @@ class Steps(CommandTest):
         self.steps(tension)
         self.assert_same(first.force, kept)
 
+    def test_options_that_change_are_those_of_a_new_object(self):
+        tension = meniscus.SurfaceTension(surface_tension=1, fade=0)
+        tension.set_surface_tension(0.072)
+        tension.set_fade(0.5)
+        tension.set_smoothing(1, 3)
+        tension.set_contact_angle(60)
+        new = meniscus.SurfaceTension(surface_tension=0.072, fade=0.5, normal_passes=1,
+                                      curvature_passes=3, contact_angle=60)
+        self.assert_same(self.steps(tension)[0].force, self.steps(new)[0].force)
+
+    def test_an_option_out_of_its_range_changes_nothing(self):
+        tension = meniscus.SurfaceTension()
+        expected = self.steps(tension)[0].force
+        for change, name in ((lambda: tension.set_surface_tension(float("inf")), "surface_tension"),
+                             (lambda: tension.set_contact_angle(200), "contact_angle"),
+                             (lambda: tension.set_fade(float("nan")), "fade"),
+                             (lambda: tension.set_smoothing(1, -1), "curvature_passes")):
+            with self.assertRaisesRegex(meniscus.InputError, name):
+                change()
+        self.assert_same(self.steps(tension)[0].force, expected)
+
     def test_one_object_in_several_threads(self):
         tension = meniscus.SurfaceTension()
         expected = self.steps(tension)[0].force

@@ -135,3 +135,20 @@ class SurfaceTension:
     def set_line(self, k: float, d: float) -> None:
         """Another first line from now on; the second, where there is one, stays."""
         self._step.set_line(k, d)
+
+    def set_surface_tension(self, surface_tension: float) -> None:
+        """Sigma in N/m from now on. As all of these, raises InputError, naming the range, where it
+        is out of it, and changes nothing then."""
+        self._step.set_surface_tension(surface_tension)
+
+    def set_contact_angle(self, contact_angle: float) -> None:
+        """Of walls from now on, in degrees."""
+        self._step.set_contact_angle(contact_angle)
+
+    def set_fade(self, fade: float) -> None:
+        """How far forces fade towards covered particles from now on (option `fade`)."""
+        self._step.set_fade(fade)
+
+    def set_smoothing(self, normal_passes: int, curvature_passes: int) -> None:
+        """Passes over normals and curvatures from now on."""
+        self._step.set_smoothing(normal_passes, curvature_passes)

@@ -17,10 +17,12 @@ Hdf5Format vtkhdf_format();
 Hdf5Format pysph_format();
 Hdf5Format gadget_format();
 Hdf5Format h5part_format();
+Hdf5Format lagrangebench_format();
 
 /// In the order in which a file is tried.
 inline std::vector<Hdf5Format> hdf5_formats() {
-    return {vtkhdf_format(), pysph_format(), gadget_format(), h5part_format()};
+    return {vtkhdf_format(), pysph_format(), gadget_format(), h5part_format(),
+            lagrangebench_format()};
 }
 
 } // namespace meniscus

@@ -45,6 +45,13 @@ struct Image {
 int words_width(const std::string& text);
 int words_height();
 
+/// Draws words whose upper left corner this is; upward, those that are read from below, whose lower
+/// left corner it is. Letters outside ASCII are shown as '?'.
+void draw_words(Image& image, const Words& words, const Color& color = ink, bool upward = false);
+
+/// The text as it may stand in an SVG between tags.
+std::string escaped_in_svg(const std::string& text);
+
 /// The file's bytes: a PNG of 8 bits a channel. Letters outside ASCII are shown as '?'. Throws
 /// FailureError where memory lacks.
 std::string to_png(const Image& image);

@@ -1,7 +1,7 @@
 #include "image.hpp"
 
 #include "detail/glyphs.hpp"
-#include <meniscus/app/packing/bytes.hpp>
+#include <meniscus/data/packing/bytes.hpp>
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -9,18 +9,16 @@
 namespace meniscus {
 namespace {
 
-void draw_glyph(Image& image, int left, int top, char letter) {
+/// Calls set(column, row) for each pixel of a letter that is set.
+template <class Set>
+void for_each_pixel(char letter, const Set& set) {
     constexpr int count = sizeof glyphs / sizeof *glyphs;
     const int place = letter - first_glyph;
     const auto& rows = glyphs[place >= 0 && place < count ? place : '?' - first_glyph];
     for (int row = 0; row < glyph_height; ++row)
-        for (int column = 0; column < glyph_width; ++column) {
-            const int x = left + column;
-            const int y = top + row;
-            const bool is_set = (rows[row] >> (glyph_width - 1 - column) & 1) != 0;
-            if (is_set && x >= 0 && x < image.width && y >= 0 && y < image.height)
-                image.at(x, y) = ink;
-        }
+        for (int column = 0; column < glyph_width; ++column)
+            if ((rows[row] >> (glyph_width - 1 - column) & 1) != 0)
+                set(column, row);
 }
 
 std::string big_endian(std::uint32_t number) {
@@ -51,16 +49,6 @@ std::string filtered_rows(const Image& image) {
     return rows;
 }
 
-std::string escaped(const std::string& text) {
-    std::string result;
-    for (const char c : text)
-        result += c == '&'   ? "&amp;"
-                  : c == '<' ? "&lt;"
-                  : c == '>' ? "&gt;"
-                             : std::string(1, static_cast<unsigned char>(c) < ' ' ? '?' : c);
-    return result;
-}
-
 } // namespace
 
 void Image::fill(int left, int top, int right, int bottom, const Color& color) {
@@ -77,11 +65,31 @@ int words_height() {
     return glyph_height;
 }
 
+void draw_words(Image& image, const Words& words, const Color& color, bool upward) {
+    for (std::size_t letter = 0; letter < words.text.size(); ++letter)
+        for_each_pixel(words.text[letter], [&](int column, int row) {
+            column += static_cast<int>(letter) * glyph_width;
+            const int x = words.x + (upward ? row : column);
+            const int y = words.y + (upward ? -column : row);
+            if (x >= 0 && x < image.width && y >= 0 && y < image.height)
+                image.at(x, y) = color;
+        });
+}
+
+std::string escaped_in_svg(const std::string& text) {
+    std::string result;
+    for (const char c : text)
+        result += c == '&'   ? "&amp;"
+                  : c == '<' ? "&lt;"
+                  : c == '>' ? "&gt;"
+                             : std::string(1, static_cast<unsigned char>(c) < ' ' ? '?' : c);
+    return result;
+}
+
 std::string to_png(const Image& image) {
     Image drawn = image;
-    for (const auto& [x, y, text] : image.words)
-        for (std::size_t letter = 0; letter < text.size(); ++letter)
-            draw_glyph(drawn, x + static_cast<int>(letter) * glyph_width, y, text[letter]);
+    for (const Words& words : image.words)
+        draw_words(drawn, words);
     const std::string size = big_endian(static_cast<std::uint32_t>(image.width)) +
                              big_endian(static_cast<std::uint32_t>(image.height));
     // 8 bits a channel, red, green and blue, deflate, filters row by row, not interlaced.
@@ -99,7 +107,7 @@ std::string to_svg(const Image& image) {
         "<g font-family=\"sans-serif\" font-size=\"15\" fill=\"#1b1b1b\">\n",
         image.width, image.height, base64(to_png(without_words)));
     for (const auto& [x, y, text] : image.words)
-        svg += fmt::format("<text x=\"{}\" y=\"{}\">{}</text>\n", x, y + 12, escaped(text));
+        svg += fmt::format("<text x=\"{}\" y=\"{}\">{}</text>\n", x, y + 12, escaped_in_svg(text));
     return svg + "</g>\n</svg>\n";
 }
 

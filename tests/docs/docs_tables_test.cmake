@@ -1,0 +1,20 @@
+# Each table that scripts/update_docs.sh makes has a place in a page, and each place a table. A name with
+# a space is no table's.
+cmake_minimum_required(VERSION 3.25)
+execute_process(COMMAND ${SOURCE}/scripts/update_docs.sh list RESULT_VARIABLE status
+    OUTPUT_VARIABLE made ERROR_VARIABLE printed)
+if(NOT status EQUAL 0)
+    message(FATAL_ERROR "update_docs.sh ended with ${status}:\n${printed}")
+endif()
+string(REGEX MATCHALL "[^\n]+" made "${made}")
+file(GLOB pages ${SOURCE}/README.md ${SOURCE}/docs/*.md ${SOURCE}/docs/data/*.md)
+foreach(page ${pages})
+    file(STRINGS ${page} begins REGEX "^<!-- begin [^ ]+ -->$")
+    list(TRANSFORM begins REPLACE "^<!-- begin (.*) -->$" "\\1")
+    list(APPEND places ${begins})
+endforeach()
+list(SORT made)
+list(SORT places)
+if(NOT made STREQUAL places)
+    message(FATAL_ERROR "made by update_docs.sh: ${made}\nplaces in pages: ${places}")
+endif()
