@@ -5,8 +5,8 @@
 # sampling and normals Debian's python3-matplotlib, too.
 # Usage: scripts/update_docs.sh [TABLES]   (default: all)
 # TABLES: accuracy, own-scenes (runs scenes for some ten minutes), speed, sampling, force,
-# detectors, surface-speed, normals, curvature, scenes, simulation, contact-angles, step-speed,
-# hard-cases, hard-cases-solvers, speed-against-error (runs scenes, too), or plots, which draws those
+# detectors, surface-speed, normals, curvature, scenes, simulation, studies, contact-angles,
+# step-speed, hard-cases, hard-cases-solvers, speed-against-error (runs scenes, too), or plots, which draws those
 # that need no more than the tables. `list` prints the names of all tables, and makes none.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -128,6 +128,13 @@ if wanted simulation; then
     for table in solver-runs dam-front iterations formation formation-paper formation-line rivals \
         coalescence oscillation; do
         print $table
+    done
+fi
+if wanted studies; then # prints committed results; meniscus_study NAME --record makes them anew
+    prepare cmake --build build/release --target meniscus_study
+    for result in validation/*/small.json; do
+        study=$(basename "$(dirname "$result")")
+        fill "study-${study//_/-}" "$bin/meniscus_study" "$study" --show
     done
 fi
 if wanted contact-angles; then

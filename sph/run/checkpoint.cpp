@@ -34,6 +34,10 @@ void each_number(SomeCheckpoint& checkpoint, const Visit& visit) {
     visit("max_density_error", sums.max_density_error);
     visit("divergence_error", sums.divergence_error);
     visit("max_divergence_error", sums.max_divergence_error);
+    visit("tension_force", sums.tension_force);
+    visit("tension_force_deviation", sums.tension_force_deviation);
+    visit("pressure_force", sums.pressure_force);
+    visit("pressure_force_deviation", sums.pressure_force_deviation);
 }
 
 std::string program_name() {

@@ -59,7 +59,8 @@ double longest_step(double remaining, double usual, double rounding) {
 
 /// Whether a run can have come to where a checkpoint says: whoever changes one can give it the
 /// right sum, too.
-void check_progress(const Checkpoint& at, const FrameTimes& frame_time, const fs::path& file) {
+void check_progress(const Checkpoint& at, const FrameTimes& frame_time, const LogOptions& log,
+                    const fs::path& file) {
     const double time = at.state.time;
     const StepSums& sums = at.since_frame;
     const auto refuse_unless = [&](bool fine, const std::string& what) {
@@ -82,7 +83,7 @@ void check_progress(const Checkpoint& at, const FrameTimes& frame_time, const fs
     const bool is_plain = std::all_of(at.log.begin(), at.log.end(),
                                       [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); });
     const auto lines = std::count(at.log.begin(), at.log.end(), '\n');
-    refuse_unless(is_plain && at.log.rfind(log_header(), 0) == 0 &&
+    refuse_unless(is_plain && at.log.rfind(log_header(log), 0) == 0 &&
                       static_cast<std::uint64_t>(lines) == at.next_frame + 1,
                   "this log");
 }
@@ -173,7 +174,7 @@ private:
         options.before_writing();
         open_record();
         remove_recorded(scene, options.folder, *record);
-        at.log = log_header();
+        at.log = log_header(scene.log);
         try {
             list_lasting_files();
             save();
@@ -205,7 +206,7 @@ private:
     void resume(const fs::path& file) {
         at = read_checkpoint(file, text);
         check_lengthening(file);
-        check_progress(at, frame_time, file);
+        check_progress(at, frame_time, scene.log, file);
         result.start = at.state.time;
         result.particles = at.state.positions.size();
         result.finished = is_finished();
@@ -293,10 +294,18 @@ private:
         record->set({name, 0, unsettled});
         write_vtkhdf(frame, file);
         record->set({name, fs::file_size(file), file_hash(file)});
-        at.log += log_row(at.next_frame, time, at.since_frame, simulation->balance());
+        at.log += log_text(row_of(time), scene.log);
         write_whole(log_file(scene, options.folder), at.log);
         at.since_frame = {};
         ++at.next_frame;
+    }
+
+    [[nodiscard]] LogRow row_of(double time) const {
+        LogRow row{at.next_frame, time, at.since_frame, simulation->balance(), {}};
+        if (scene.log.bodies)
+            row.bodies =
+                find_bodies(simulation->state().positions, scene.support_radius, scene.dimension);
+        return row;
     }
 
     void advance() {

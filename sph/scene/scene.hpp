@@ -110,6 +110,10 @@ struct TensionOptions {
     /// Of the classifier that `surface` is to have in place of the one that ships; whoever runs the
     /// scene reads it (app/scene_model.hpp). Empty: none.
     std::filesystem::path model_file;
+    /// C_SD in 1/s: a particle has so many samples in a second of simulated time, N = t_s C_SD of
+    /// the step before (2020 paper, section 3.4.3); 0: as many as `surface` says.
+    double sampling_density = 0;
+    int min_samples = 16; ///< the least N that the sampling density gives
     /// Of the runtime, which has surface_tension from the coefficient, spacing_ratio from the scene
     /// and, where k and d are NaN, the classifier that ships for the dimension.
     SurfaceTensionOptions surface;
@@ -126,6 +130,12 @@ struct TimeStepOptions {
     double courant_factor = 1;   ///< of 0.4 spacing / largest speed
     double min = 1e-6;           ///< s
     double max = 5e-3;           ///< s; in a file that has none default_max_time_step()
+};
+
+/// Columns of a run's log that cost time, beside those that are always there (run/run_log.hpp).
+struct LogOptions {
+    bool forces = false; ///< sizes of the forces by surface tension and by pressure, in each step
+    bool bodies = false; ///< connected bodies of fluid, and the shape of the largest
 };
 
 /// The longest step, s, of a scene that names none: 5 ms, and less where particles lie closer than
@@ -157,6 +167,7 @@ struct Scene {
     ViscosityOptions viscosity;
     TensionOptions surface_tension;
     TimeStepOptions time_step;
+    LogOptions log;
 };
 
 /// Of a particle at rest, m^3 (in 2D m^2).

@@ -1,4 +1,5 @@
 #include "detail/changed_json.hpp"
+#include "detail/read_values.hpp"
 #include "detail/scene_names.hpp"
 #include "methods.hpp"
 #include "scene_changes.hpp"
@@ -25,21 +26,6 @@ const std::vector<std::string> side_names{"-x", "+x", "-y", "+y", "-z", "+z"};
 const std::vector<std::string> fluid_shapes{"lattice", "box", "ball", "snapshot"};
 const std::vector<std::string> wall_shapes{"box", "ball", "mesh"};
 
-void take(const JsonReader& reader, const char* key, double min, double max, double& value) {
-    if (reader.has(key))
-        value = reader.number(key, min, max);
-}
-
-void take(const JsonReader& reader, const char* key, int min, int max, int& value) {
-    if (reader.has(key))
-        value = reader.whole_number(key, min, max);
-}
-
-void take(const JsonReader& reader, const char* key, bool& value) {
-    if (reader.has(key))
-        value = reader.truth(key);
-}
-
 /// What the shapes of a scene have in common.
 struct Frame {
     int dimension = 3;
@@ -61,7 +47,7 @@ Place read_place(const JsonReader& reader, const char* key, const Frame& frame, 
     return {numbers[0], numbers[1], numbers[2]};
 }
 
-void take(const JsonReader& reader, const char* key, const Frame& frame, Place& place) {
+void take_place(const JsonReader& reader, const char* key, const Frame& frame, Place& place) {
     if (reader.has(key))
         place = read_place(reader, key, frame, -max);
 }
@@ -139,7 +125,7 @@ MeshShape read_mesh(const JsonReader& reader, const Frame& frame) {
     MeshShape mesh;
     mesh.file = read_file_name(reader, frame);
     take(reader, "scale", min, max, mesh.scale);
-    take(reader, "translation", frame, mesh.translation);
+    take_place(reader, "translation", frame, mesh.translation);
     return mesh;
 }
 
@@ -147,7 +133,7 @@ SnapshotShape read_snapshot_shape(const JsonReader& reader, const Frame& frame) 
     reader.expect_only({"file", "translation"});
     SnapshotShape snapshot;
     snapshot.file = read_file_name(reader, frame);
-    take(reader, "translation", frame, snapshot.translation);
+    take_place(reader, "translation", frame, snapshot.translation);
     return snapshot;
 }
 
@@ -166,7 +152,7 @@ std::string only_shape(const JsonReader& reader, const std::vector<std::string>&
 FluidBody read_body(const JsonReader& reader, const Frame& frame) {
     reader.expect_only({"lattice", "box", "ball", "snapshot", "velocity"});
     FluidBody body;
-    take(reader, "velocity", frame, body.velocity);
+    take_place(reader, "velocity", frame, body.velocity);
     const std::string shape = only_shape(reader, fluid_shapes);
     const JsonReader at = reader.object_at(shape.c_str());
     if (shape == "lattice")
@@ -201,12 +187,6 @@ Wall read_wall(const JsonReader& reader, const Frame& frame) {
     if (reader.has("contact_angle"))
         wall.contact_angle = reader.number("contact_angle", range.min, range.max);
     return wall;
-}
-
-/// Refuses a key that stands there although something else leaves it without a meaning.
-void refuse_with(const JsonReader& reader, const char* key, const std::string& because) {
-    if (reader.has(key))
-        reader.refuse(key, "left out: " + because);
 }
 
 /// The rows' names.
@@ -257,19 +237,6 @@ ViscosityOptions read_viscosity(const JsonReader& reader) {
     if (options.density_correction && options.kinematic == 0)
         reader.refuse("density_correction", "false where 'kinematic' is 0, which it corrects");
     return options;
-}
-
-template <class Value>
-Value read_surface_option(const JsonReader& reader, const SurfaceOption<Value>& option) {
-    if constexpr (std::is_enum_v<Value>)
-        return static_cast<Value>(
-            reader.choice(option.name, {option.range.words[0], option.range.words[1]}));
-    const Json& value = reader.value(option.name);
-    if (!value.is_number() || !is_in_range(option.range, value.get<double>()))
-        reader.refuse(option.name, option.range.text);
-    if (std::is_integral_v<Value> && value.is_number_float() && value != value.get<std::int64_t>())
-        reader.refuse(option.name, option.range.text);
-    return value.get<Value>();
 }
 
 /// Refuses keys that other models alone read.
@@ -349,6 +316,19 @@ void read_numbers(const JsonReader& reader, Scene& scene) {
     scene.frame_interval = reader.number("frame_interval", min, scene.duration);
 }
 
+LogOptions read_log(const JsonReader& reader) {
+    LogOptions options;
+    for (const std::string& name : reader.texts("log")) {
+        bool* const wanted = name == log_names[0]   ? &options.forces
+                             : name == log_names[1] ? &options.bodies
+                                                    : nullptr;
+        if (wanted == nullptr || *wanted)
+            reader.refuse("log", "a list of 'forces' and 'bodies', each at most once");
+        *wanted = true;
+    }
+    return options;
+}
+
 void read_shapes(const JsonReader& reader, const Frame& frame, Scene& scene) {
     for (const JsonReader& entry : reader.objects("fluid"))
         scene.fluid.push_back(read_body(entry, frame));
@@ -365,11 +345,12 @@ void read_shapes(const JsonReader& reader, const Frame& frame, Scene& scene) {
 }
 
 Scene scene_from(const JsonReader& reader, const std::filesystem::path& folder) {
-    reader.expect_only({"name",           "dimension",       "precision",    "particle_spacing",
-                        "support_radius", "rest_density",    "volume_share", "duration",
-                        "frame_interval", "fluid",           "walls",        "gravity",
-                        "domain",         "leaving",         "kernel",       "pressure",
-                        "viscosity",      "surface_tension", "time_step",    "variants"});
+    reader.expect_only(
+        {"name",         "dimension",    "precision",       "particle_spacing", "support_radius",
+         "rest_density", "volume_share", "duration",        "frame_interval",   "fluid",
+         "walls",        "gravity",      "domain",          "leaving",          "kernel",
+         "pressure",     "viscosity",    "surface_tension", "time_step",        "variants",
+         "log"});
     Scene scene;
     scene.name = read_name(reader);
     take(reader, "dimension", 2, 3, scene.dimension);
@@ -381,7 +362,7 @@ Scene scene_from(const JsonReader& reader, const std::filesystem::path& folder) 
     read_shapes(reader, frame, scene);
     if (reader.has("leaving"))
         scene.leaving = static_cast<Leaving>(reader.choice("leaving", leaving_names));
-    take(reader, "gravity", frame, scene.gravity);
+    take_place(reader, "gravity", frame, scene.gravity);
     if (reader.has("kernel"))
         scene.kernel = static_cast<KernelKind>(reader.choice("kernel", kernel_names));
     scene.pressure = read_pressure(reader.object_at("pressure"));
@@ -392,6 +373,8 @@ Scene scene_from(const JsonReader& reader, const std::filesystem::path& folder) 
     scene.time_step = reader.has("time_step")
                           ? read_time_step(reader.object_at("time_step"), scene.particle_spacing)
                           : default_time_step(scene.particle_spacing);
+    if (reader.has("log"))
+        scene.log = read_log(reader);
     return scene;
 }
 
@@ -434,42 +417,6 @@ Json merged(const Json& json, const std::filesystem::path& file, const std::stri
 }
 
 } // namespace
-
-std::vector<std::string> meniscus_option_keys() {
-    std::vector<std::string> keys = {"balance_momentum", "contact_friction", "paper", "model_file"};
-    for_each_surface_option([&](const auto& option) {
-        if (!comes_with_scene(option.name))
-            keys.emplace_back(option.name);
-    });
-    return keys;
-}
-
-void read_meniscus_options(const JsonReader& reader, TensionOptions& options) {
-    take(reader, "balance_momentum", options.balance_momentum);
-    take(reader, "contact_friction", 0, 2, options.contact_friction);
-    if (reader.has("paper") && reader.truth("paper"))
-        options.surface = paper_options();
-    for_each_surface_option([&](const auto& option) {
-        if (!comes_with_scene(option.name) && reader.has(option.name))
-            options.surface.*option.member = read_surface_option(reader, option);
-    });
-    if (reader.has("model_file")) {
-        options.model_file = reader.text("model_file");
-        for (const char* key : {"k", "d", "boundary_weight", "radius_ratio"})
-            if (reader.has(key))
-                reader.refuse(key, "absent: model_file says it");
-    }
-    if (reader.has("k") != reader.has("d"))
-        reader.refuse(reader.has("k") ? "d" : "k", "there too: a line has both k and d");
-    for_each_surface_option([&](const auto& option) {
-        if (option.only_sampled && options.surface.coverage == CoverageMethod::exact)
-            refuse_with(reader, option.name, "it has no meaning for coverage exact");
-    });
-}
-
-void read_adhesion(const JsonReader& reader, TensionOptions& options) {
-    take(reader, "adhesion", 0, max, options.adhesion);
-}
 
 Scene read_scene(const std::filesystem::path& file, const std::string& variant,
                  const std::vector<std::string>& changes) {

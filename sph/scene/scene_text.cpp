@@ -78,7 +78,9 @@ Json json_of(const TensionOptions& options) {
                  {"restrict_to_surface", options.restrict_to_surface},
                  {"adhesion", options.adhesion},
                  {"balance_momentum", options.balance_momentum},
-                 {"contact_friction", options.contact_friction}};
+                 {"contact_friction", options.contact_friction},
+                 {"sampling_density", options.sampling_density},
+                 {"min_samples", options.min_samples}};
     for_each_surface_option([&](const auto& option) {
         if (!comes_with_scene(option.name))
             json[option.name] = json_of(option, options.surface);
@@ -140,6 +142,7 @@ std::string scene_text(const Scene& scene) {
     json["viscosity"] = json_of(scene.viscosity);
     json["surface_tension"] = json_of(scene.surface_tension);
     json["time_step"] = json_of(scene.time_step);
+    json["log"] = {{log_names[0], scene.log.forces}, {log_names[1], scene.log.bodies}};
     return json.dump();
 }
 

@@ -7,6 +7,7 @@
 #include "relieve.hpp"
 #include "step.hpp"
 #include "time_step.hpp"
+#include "velocity_change.hpp"
 
 #include <meniscus/sph/fluid/coincident.hpp>
 #include <meniscus/sph/fluid/flat_wall.hpp>
@@ -82,8 +83,8 @@ public:
                                                      : time_step_for(scene, 0, 0, longest);
         const double first_speed = max_speed(0);
         fluid.keeps_rounding = is_short_step(scene, last_step, first_speed);
-        const SolveReport divergence =
-            solver->remove_divergence(fluid, static_cast<Real>(last_step));
+        const SolveReport divergence = remove_divergence(last_step);
+        take_time_step(last_step);
         report.seconds.divergence = clock.lap();
         add_accelerations(report, clock);
 
@@ -94,7 +95,7 @@ public:
         report.seconds.motion = clock.lap();
         fit_pressures(last_step, report.time_step);
         fit_pressures_to_speeds(report.time_step, first_speed, speed);
-        const SolveReport pressure = solve_pressure(report.time_step, speed);
+        const SolveReport pressure = solve_pressure(report, speed);
         report.seconds.pressure = clock.lap();
 
         stop_at_walls(static_cast<Real>(report.time_step));
@@ -147,6 +148,8 @@ public:
             found.pressure[i] =
                 static_cast<double>(solver->pressure[i]) * density * density * pressure_unit;
         }
+        take_time_step(state.time_step > 0 ? state.time_step
+                                           : time_step_for(scene, 0, 0, scene.duration));
         if (auto* const model = detector ? detector.get() : tension.get()) {
             model->add_accelerations(fluid);
             found.surface = model->results(fluid);
@@ -175,6 +178,7 @@ private:
     std::vector<Row<Real>> rows;
     Positions sorted_places;
     std::vector<Row<Real>> accelerations_before;
+    VelocityChange<Real, Dimension> pressure_change; ///< where the scene logs forces
 
     [[nodiscard]] Row<Real> to_row(const Place& place) const {
         const double inverse = 1 / scene.support_radius;
@@ -306,6 +310,31 @@ private:
                                     fluid.loop, wall_buffers, fluid.wall_neighbors, &near_walls);
     }
 
+    SolveReport remove_divergence(double last_step) {
+        if (scene.log.forces) {
+            pressure_change.clear(fluid.count);
+            pressure_change.begin(fluid);
+        }
+        const SolveReport report = solver->remove_divergence(fluid, static_cast<Real>(last_step));
+        if (scene.log.forces)
+            pressure_change.end(fluid);
+        return report;
+    }
+
+    /// What makes newtons of a velocity in support radii a second that a step of dt (s) gives.
+    [[nodiscard]] double force_unit(double dt) const {
+        const double h = scene.support_radius;
+        return static_cast<double>(fluid.mass) * scene.rest_density * std::pow(h, Dimension + 1) /
+               dt;
+    }
+
+    void take_time_step(double seconds) {
+        if (detector)
+            detector->take_time_step(seconds);
+        if (tension)
+            tension->take_time_step(seconds);
+    }
+
     void add_accelerations(StepReport& report, StageClock& clock) {
         const double h = scene.support_radius;
         const Row<Real> gravity{static_cast<Real>(scene.gravity[0] / h),
@@ -315,14 +344,27 @@ private:
         add_viscosity(scene.viscosity, fluid);
         report.seconds.viscosity = clock.lap();
         if (tension)
-            add_tension();
+            add_tension(report);
         report.surface_particles = detector  ? detector->surface_particles()
                                    : tension ? tension->surface_particles()
                                              : 0;
         report.seconds.surface_tension = clock.lap();
     }
 
-    void add_tension() {
+    void add_tension(StepReport& report) {
+        if (!scene.log.forces) {
+            add_tension_where_it_acts();
+            return;
+        }
+        std::vector<Row<Real>> change = fluid.acceleration;
+        add_tension_where_it_acts();
+        fluid.loop.each(fluid.count, [&](std::size_t i) {
+            change[i] = plus(fluid.acceleration[i], Real(-1), change[i]);
+        });
+        report.tension_forces = sizes_of<Real, Dimension>(change, force_unit(1), fluid);
+    }
+
+    void add_tension_where_it_acts() {
         if (!detector) {
             tension->add_accelerations(fluid);
             return;
@@ -359,11 +401,18 @@ private:
         return solver_row.iterates ? solve_time(scene, dt, speed) : dt;
     }
 
-    SolveReport solve_pressure(double dt, double speed) {
+    SolveReport solve_pressure(StepReport& step, double speed) {
+        const double dt = step.time_step;
         const double ahead = time_to_solve(dt, speed);
+        if (scene.log.forces)
+            pressure_change.begin(fluid);
         scale_pressures(dt / ahead); // the state keeps them as they act during a step
         const SolveReport report = solver->solve(fluid, static_cast<Real>(ahead));
         scale_pressures(ahead / dt);
+        if (scene.log.forces) {
+            pressure_change.end(fluid);
+            step.pressure_forces = pressure_change.sizes(force_unit(dt), fluid);
+        }
         return report;
     }
 

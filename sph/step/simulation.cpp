@@ -287,6 +287,7 @@ public:
             sums.kinetic_energy += mass * squared / 2;
             sums.momentum_size += mass * std::sqrt(squared);
             sums.max_speed = std::max(sums.max_speed, std::sqrt(squared));
+            sums.mean_speed += std::sqrt(squared) / static_cast<double>(size());
             for (int axis = 0; axis < 3; ++axis) {
                 sums.potential_energy -= mass * scene.gravity[axis] * place[axis];
                 sums.momentum[axis] += mass * velocity[axis];

@@ -20,6 +20,7 @@ struct Balance {
     double momentum_size = 0;          ///< sum of |m v|
     Place center{};                    ///< of mass, m
     double max_speed = 0;              ///< m/s
+    double mean_speed = 0;             ///< of |v| over the particles, m/s
 };
 
 class Simulation {

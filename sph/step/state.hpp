@@ -36,6 +36,12 @@ struct StageTimes {
     double motion = 0;     ///< time step and integration
 };
 
+/// Size of the forces on the particles, over all of them, N.
+struct ForceSizes {
+    double mean = 0;
+    double deviation = 0;
+};
+
 struct StepReport {
     double time = 0;      ///< simulated, after the step, s
     double time_step = 0; ///< s
@@ -46,6 +52,8 @@ struct StepReport {
     bool converged = true;             ///< false: an iteration ended at max_iterations
     double max_speed = 0;              ///< m/s
     std::size_t surface_particles = 0; ///< of surface class 2, where the surface is known
+    ForceSizes tension_forces;         ///< by surface tension, where the scene logs forces
+    ForceSizes pressure_forces;        ///< by both solves together, likewise
     StageTimes seconds;
 };
 

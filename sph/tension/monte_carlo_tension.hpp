@@ -139,6 +139,13 @@ public:
         : SurfaceTensionModel<Real, Dimension>(model_options, {}, 1 / settings.spacing_ratio),
           tension(settings) {}
 
+    void take_time_step(double seconds) override {
+        const double density = this->options.sampling_density;
+        if (density > 0)
+            tension.set_samples(samples_for_time_step(
+                seconds, density, static_cast<std::size_t>(this->options.min_samples)));
+    }
+
     void add_accelerations(FluidType& fluid) override {
         find_surface_forces(fluid);
         const auto& surface = tension.surface();

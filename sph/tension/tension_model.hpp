@@ -23,6 +23,9 @@ public:
         : options(model_options), rest_spacing(spacing) {}
     virtual ~SurfaceTensionModel() = default;
 
+    /// The length of the last step, s, before the forces of the next.
+    virtual void take_time_step(double /*seconds*/) {}
+
     /// Adds to fluid.acceleration of each particle.
     virtual void add_accelerations(FluidType& fluid) = 0;
 

@@ -25,12 +25,14 @@ MAY_INCLUDE = {
     "app": {"runtime", "data", "labeler", "classifier", "sph", "bindings", "bench"},
     # Plain oracles lie in tests/reference.
     "bench": {"runtime", "data", "labeler", "classifier", "sph", "bindings", "tests"},
-    "tests": {"runtime", "data", "labeler", "classifier", "sph", "bindings", "app", "bench"},
+    "validation": {"runtime", "data", "sph", "app", "bench"},
+    "tests": {"runtime", "data", "labeler", "classifier", "sph", "bindings", "app", "bench",
+              "validation"},
     # What a user has installed.
     "examples": {"runtime", "data", "labeler", "classifier", "bindings"},
 }
 # What a file's own folder does not hold is looked for here, as in compile_flags.txt.
-SEARCHED = ("include", "tests", "bench")
+SEARCHED = ("include", "tests", "bench", "validation")
 COEFFICIENTS = Path("runtime/coefficients")
 WRITTEN_BY_PROGRAM = re.compile(r"`meniscus export`; do not edit")
 # What a test writes for itself while it is configured.
@@ -163,7 +165,7 @@ def rooms_of(graph, errors):
     """Which rooms include from which, the tests' own aside. Rooms stand on one another, too."""
     rooms = {}
     for node, others in graph.items():
-        if node.parts[0] not in ("bench", "tests"):
+        if node.parts[0] not in ("bench", "validation", "tests"):
             rooms.setdefault(room(node), set()).update(map(room, others))
     return without_circles({node: others - {node} for node, others in rooms.items()},
                            "a circle of rooms", errors)

@@ -132,7 +132,7 @@ TEST_F(Checkpoints, ThoseOfNoRunAreRefused) {
     const auto message = [&](const std::function<void(Checkpoint&)>& change) {
         Checkpoint checkpoint;
         checkpoint.state = start(runs)->state();
-        checkpoint.log = log_header();
+        checkpoint.log = log_header({});
         change(checkpoint);
         write_checkpoint(checkpoint, runs, scene_text(runs), checkpoint_file(runs, folder));
         return error_of<InputError>([&] { run_scene(runs, options); });

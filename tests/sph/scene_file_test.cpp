@@ -268,6 +268,7 @@ TEST_F(SceneFile, NamesWhatIsOutOfRange) {
         {"/leaving", {"go", 1}},
         {"/domain/high", {{-60, 1, 1}}},
         {"/kernel", {"cubic", 1}},
+        {"/log", {"forces", {"force"}, {"forces", "forces"}, 1}},
         {"/pressure/solver", {"sph", 1}},
         {"/pressure/density_error", {0, -1, 0.6}},
         {"/pressure/min_iterations", {-1, 51, 2.5}},
@@ -372,6 +373,34 @@ TEST_F(SceneFile, TextTellsScenesApartAndNothingElse) {
 
     write("glass.obj", "v 0 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\n");
     EXPECT_NE(text, scene_text(scene(full_scene)));
+}
+
+TEST_F(SceneFile, SamplesFollowTheTimeStepWhereADensityStandsInTheirPlace) {
+    Json json = Json::parse(smallest_scene);
+    json["surface_tension"] = {
+        {"model", "meniscus"}, {"coefficient", 1}, {"sampling_density", 10000}, {"min_samples", 8}};
+    const Scene read = scene(json.dump());
+    EXPECT_EQ(read.surface_tension.sampling_density, 10000);
+    EXPECT_EQ(read.surface_tension.min_samples, 8);
+    EXPECT_NE(scene_text(read).find("\"sampling_density\":10000"), std::string::npos);
+    const auto error_in = [&](const char* key, const Json& value) {
+        return error(json.dump().c_str(),
+                     [&](Json& changed) { changed["surface_tension"][key] = value; });
+    };
+    expect_mentions(error_in("samples", 64), {"'surface_tension.samples'", "sampling_density"});
+    expect_mentions(error_in("sampling_density", 0), {"'surface_tension.min_samples'"});
+    expect_mentions(error_in("coverage", "exact"), {"'surface_tension.sampling_density'", "exact"});
+    expect_mentions(error_in("min_samples", 3), {"'surface_tension.min_samples'"});
+}
+
+TEST_F(SceneFile, SaysWhatTheLogHas) {
+    Json json = Json::parse(smallest_scene);
+    const std::string plain = scene_text(scene(json.dump()));
+    json["log"] = {"bodies"};
+    const Scene read = scene(json.dump());
+    EXPECT_TRUE(read.log.bodies);
+    EXPECT_FALSE(read.log.forces);
+    EXPECT_NE(scene_text(read), plain);
 }
 
 TEST_F(SceneFile, TextChangesWithEveryValue) {

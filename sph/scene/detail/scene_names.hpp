@@ -10,6 +10,7 @@ namespace meniscus {
 inline const std::vector<std::string> precision_names{"single", "double"};
 inline const std::vector<std::string> kernel_names{"cubic_spline", "mueller"};
 inline const std::vector<std::string> leaving_names{"few", "remove", "stop"};
+inline const std::vector<std::string> log_names{"forces", "bodies"};
 
 /// The text of an enumerator, whose list of names has their order.
 template <class Kind>

@@ -1,0 +1,140 @@
+// Plans of studies, runs that are kept, and results that are compared.
+#include "framework/run_study.hpp"
+#include "framework/run_tables.hpp"
+#include "studies.hpp"
+
+#include "data/test_folder.hpp"
+
+#include <meniscus/data/text/errors.hpp>
+
+#include <gtest/gtest.h>
+
+namespace meniscus {
+namespace {
+
+const char* const some_study = R"({
+  "title": "Some",
+  "small": {"axes": [
+    {"name": "drop", "values": [{"name": "2D", "set": ["a=1"], "numbers": {"size": 2}},
+                                {"name": "3D", "set": ["a=2"], "numbers": {"size": 3}}]},
+    {"name": "solver", "values": [{"name": "one, fast"}, {"name": "two", "set": ["b=3"]}]}
+  ]},
+  "paper": {"axes": [{"name": "drop", "values": [{"name": "3D"}]}]},
+  "compared": {"value": 0.5}
+})";
+
+int measured = 0; ///< runs
+double offset = 0;
+
+Json measure(const StudyRun& run, const Workplace& place) {
+    if (place.stop())
+        throw Stopped{};
+    ++measured;
+    return {{"value", run.numbers.at("size") + offset}, {"time", 1.5}};
+}
+
+std::vector<Table> tables(const Json& result, const Json&) {
+    return {table_of_runs("some", result, "drop | solver", "value {:.1f}")};
+}
+
+class Studies : public TestFolder {
+protected:
+    Study study = {"some", "a test", measure, tables};
+    StudyOptions options;
+
+    void SetUp() override {
+        TestFolder::SetUp();
+        write("study.json", some_study);
+        options.work = folder / "work";
+        options.size = "small";
+        std::filesystem::create_directories(options.work);
+        measured = 0;
+        offset = 0;
+    }
+    StudyPlan plan() { return read_plan(folder, "small"); }
+    std::string error_of_plan(const std::string& text) {
+        write("study.json", text);
+        return error_of<InputError>([&] { plan(); });
+    }
+};
+
+TEST_F(Studies, RunEachCombinationOfTheirAxes) {
+    const StudyPlan read = plan();
+    ASSERT_EQ(read.runs.size(), 4U);
+    EXPECT_EQ(read.runs[1].name, "2D_two");
+    EXPECT_EQ(read.runs[1].changes, (std::vector<std::string>{"a=1", "b=3"}));
+    EXPECT_EQ(read.runs[2].name, "3D_one_fast");
+    EXPECT_EQ(read.runs[2].numbers.at("size"), 3);
+    EXPECT_EQ(read_plan(folder, "paper").runs.size(), 1U);
+}
+
+TEST_F(Studies, NameWhatIsWrong) {
+    expect_mentions(error_of_plan("{}"), {"study.json", "'small'"});
+    Json json = Json::parse(some_study);
+    json["small"]["axes"][0]["values"][0]["sett"] = 1;
+    expect_mentions(error_of_plan(json.dump()), {"study.json", "sett", "'set'"});
+    json = Json::parse(some_study);
+    json["small"]["axes"][0]["values"][1]["name"] = "2D";
+    expect_mentions(error_of_plan(json.dump()), {"study.json", "axes"});
+}
+
+TEST_F(Studies, GoOnWithTheRunsThatAreMissing) {
+    int asked = 0;
+    options.stop = [&] { return ++asked > 3; };
+    EXPECT_THROW(run_study(study, plan(), options), Stopped);
+    EXPECT_EQ(measured, 3);
+    options.stop = [] { return false; };
+    const Json result = run_study(study, plan(), options);
+    EXPECT_EQ(measured, 4);
+    EXPECT_EQ(result["runs"].size(), 4U);
+    offset = 7; // what is kept stays
+    EXPECT_EQ(run_study(study, plan(), options)["runs"], result["runs"]);
+    Json other = Json::parse(some_study);
+    other["small"]["axes"][0]["values"][0]["numbers"]["size"] = 5;
+    write("study.json", other.dump());
+    EXPECT_EQ(run_study(study, plan(), options)["runs"][0]["figures"]["value"], 12);
+    EXPECT_EQ(measured, 6); // the two of other settings
+}
+
+TEST_F(Studies, DifferWhereAComparedFigureDoes) {
+    const Json before = run_study(study, plan(), options);
+    EXPECT_TRUE(differences(before, before, plan()).empty());
+    Json now = before;
+    now["runs"][1]["figures"]["value"] = 2.4;
+    now["runs"][1]["figures"]["time"] = 100;
+    EXPECT_TRUE(differences(now, before, plan()).empty());
+    now["runs"][1]["figures"]["value"] = 2.6;
+    now["runs"][2]["figures"] = {{"failure", "diverged"}};
+    now["runs"].erase(3);
+    const auto lines = differences(now, before, plan());
+    ASSERT_EQ(lines.size(), 3U);
+    expect_mentions(lines[0], {"2D_two", "value", "2.6"});
+    expect_mentions(lines[1], {"3D_one_fast", "failed"});
+    expect_mentions(lines[2], {"3D_two"});
+}
+
+TEST_F(Studies, ShowFailuresInTheirTables) {
+    Json result = run_study(study, plan(), options);
+    result["runs"][0]["figures"] = {{"failure", "diverged at 0.1 s; the last good frame is 3"}};
+    const std::string text = markdown(study.tables(result, {})[0]);
+    EXPECT_NE(text.find("| 2D | one, fast | diverged at 0.1 s |"), std::string::npos) << text;
+    EXPECT_NE(text.find("| 3D | two | 3.0 |"), std::string::npos) << text;
+}
+
+TEST(ShippedStudies, HavePlansReferencesAndScenes) {
+    for (const Study& study : all_studies()) {
+        const std::filesystem::path folder =
+            std::filesystem::path(MENISCUS_VALIDATION) / study.name;
+        for (const char* size : {"small", "paper"})
+            for (const StudyRun& run : read_plan(folder, size).runs)
+                EXPECT_TRUE(run.scene.empty() || std::filesystem::exists(run.scene)) << run.scene;
+        const auto file = folder / "reference.json";
+        const Json reference =
+            parse_json(text_of_file(file, "a reference"), file.string(), "a reference");
+        for (const auto& [name, number] : reference.at("numbers").items())
+            EXPECT_FALSE(number.at("source").get<std::string>().empty()) << name;
+    }
+}
+
+} // namespace
+} // namespace meniscus
