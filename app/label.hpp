@@ -34,7 +34,11 @@ void add_input_options(CLI::App& verb, InputOptions& options);
 /// number of theirs is not positive and finite, and as read_snapshot does.
 Snapshot read_with_options(const Path& file, const InputOptions& options);
 
-/// The same for a verb that needs a support radius. It is that of
+/// Completes a snapshot of that file with the options: lengths, volume, scene, choices. Throws as
+/// read_with_options does.
+void set_options(Snapshot& snapshot, const Path& file, const InputOptions& options);
+
+/// As read_with_options, for a verb that needs a support radius. It is that of
 /// the options, else the stored one, else that of a `support_radius` array; where its values
 /// differ, the snapshot has no radius for all and support_radii() has them. Throws InputError where
 /// there is none, or where a number for all is not positive and finite.
@@ -103,6 +107,7 @@ struct LabelCommand {
     std::optional<std::filesystem::path> report; ///< page to write
     bool quiet = false;
     bool keep_going = false; ///< a file that is at fault stops no other
+    std::uint64_t memory = 0; ///< bytes; states that take more are labelled in slabs; 0: no limit
 };
 
 /// Labels each input into its output, leaving out those that are there already, made from the same
