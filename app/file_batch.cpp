@@ -276,8 +276,7 @@ std::vector<std::uint8_t> shared_files(std::size_t count, const FileBatch& batch
 }
 
 void for_each_file_on_ranks(const std::vector<Path>& files, const FileBatch& batch,
-                            const std::function<FileReport(std::size_t, int)>& work,
-                            Ranks& ranks) {
+                            const std::function<FileReport(std::size_t, int)>& work, Ranks& ranks) {
     FileBatch own = batch;
     own.quiet = batch.quiet || ranks.rank() > 0;
     Reports reports(files, own);
@@ -325,8 +324,7 @@ void for_each_file(const std::vector<Path>& files, const FileBatch& batch,
         if (reports.should_stop() || interrupt_is_waiting())
             continue;
         const auto file = static_cast<std::size_t>(f);
-        Outcome outcome =
-            outcome_of([&] { return work(file, in_parallel ? 1 : batch.threads); });
+        Outcome outcome = outcome_of([&] { return work(file, in_parallel ? 1 : batch.threads); });
         reports.add(file, std::move(outcome.report), outcome.failure);
     }
     reports.finish();

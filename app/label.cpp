@@ -176,13 +176,16 @@ FileReport label_large(const LabelJob& job, LargeState large, Ranks& ranks) {
         if (ranks.rank() == 0)
             write_large(large, labels, job.command.label, job.output);
     });
-    FileReport report = report_of(job.output, large.state.frame,
-                                  summary_of(job.output, large.state, labels),
-                                  job.command.label.boundary_weight);
+    FileReport report =
+        report_of(job.output, large.state.frame, summary_of(job.output, large.state, labels),
+                  job.command.label.boundary_weight);
     std::vector<std::uint64_t> halo = {labels.halo, labels.bytes_exchanged};
     ranks.sum(halo);
-    report.text += fmt::format("    in {} slabs; {} particles twice, as neighbors of others",
-                               labels.slabs, halo[0]);
+    std::vector<double> peak = {static_cast<double>(peak_memory())};
+    ranks.max(peak);
+    report.text += fmt::format(
+        "    in {} slabs; {} particles twice, as neighbors of others; at most {:.0f} MiB of memory",
+        labels.slabs, halo[0], peak[0] / 0x1p20);
     if (ranks.size() > 1)
         report.text += fmt::format("; {} ranks exchanged {:.1f} MiB", ranks.size(),
                                    static_cast<double>(halo[1]) / 0x1p20);

@@ -106,7 +106,7 @@ struct LabelCommand {
     bool no_boundary = false; ///< boundary particles do not cover
     std::optional<std::filesystem::path> report; ///< page to write
     bool quiet = false;
-    bool keep_going = false; ///< a file that is at fault stops no other
+    bool keep_going = false;  ///< a file that is at fault stops no other
     std::uint64_t memory = 0; ///< bytes; states that take more are labelled in slabs; 0: no limit
 };
 

@@ -15,7 +15,7 @@ namespace meniscus {
 namespace {
 
 /// What the program takes for itself.
-constexpr std::uint64_t own_memory = std::uint64_t{48} << 20;
+constexpr std::uint64_t own_memory = std::uint64_t{24} << 20;
 
 /// Bytes that a file of another format takes in memory are told by its size alone.
 constexpr std::uint64_t bytes_a_byte = 8;
@@ -83,8 +83,8 @@ ArrayValues read_values(const Path& file, const PointArray& array, std::uint64_t
     const std::size_t found = std::visit([](const auto& all) { return all.size(); }, values);
     if (values.index() != array.values.index() ||
         found != count * static_cast<std::uint64_t>(array.components))
-        throw InputError(fmt::format("{}: '{}' has changed while it was read", file.string(),
-                                     array.name));
+        throw InputError(
+            fmt::format("{}: '{}' has changed while it was read", file.string(), array.name));
     return std::move(values);
 }
 

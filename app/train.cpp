@@ -80,8 +80,7 @@ Trained train_in_memory(const TrainCommand& command) {
                                                         : first_features(command));
     Trained trained;
     trained.model = train(states, command.training);
-    trained.errors =
-        count_errors(states, trained.model.line, trained.model.label_threshold);
+    trained.errors = count_errors(states, trained.model.line, trained.model.label_threshold);
     if (!command.second_features.empty()) {
         auto others = read_states(command, command.second_features == search
                                                ? searched_features(command, &trained.model)
@@ -96,26 +95,26 @@ Trained train_on_visits(const TrainCommand& command, Ranks& ranks) {
     if (command.features == search || !command.second_features.empty())
         throw InputError("--features search and --second-features need all files in the memory of "
                          "one process; leave them out, or --memory and mpirun");
-    const Campaign campaign =
-        campaign_of(command.inputs, command.scene, first_features(command),
-                    command.training.label_threshold, ranks);
+    const Campaign campaign = campaign_of(command.inputs, command.scene, first_features(command),
+                                          command.training.label_threshold, ranks);
     Trained trained;
     trained.model = train(campaign, command.training);
     trained.errors = count_errors(campaign, trained.model.line, trained.model.label_threshold);
     return trained;
 }
 
-/// Whether the files are more than may be in memory at a time. Throws InputError where one alone is.
+/// Whether the files are more than may be in memory at a time. Throws InputError where one alone
+/// is.
 bool exceeds_memory(const TrainCommand& command) {
     if (command.memory == 0)
         return false;
-    constexpr std::uint64_t own_memory = std::uint64_t{64} << 20;
+    constexpr std::uint64_t own_memory = std::uint64_t{36} << 20; // and the bins
     constexpr std::uint64_t kept = 32; // bytes a particle, of LabelledState
     std::uint64_t all = own_memory;
     for (const Path& input : command.inputs) {
         const Snapshot outline = naming_file(input, [&] { return read_vtkhdf_outline(input); });
-        const std::uint64_t one = own_memory + outline.particles_in_file * kept +
-                                  memory_in_one_pass(outline, {});
+        const std::uint64_t one =
+            own_memory + outline.particles_in_file * kept + memory_in_one_pass(outline, {});
         if (one > command.memory)
             throw InputError(fmt::format("{}: reading it takes about {} MiB, more than --memory "
                                          "allows; files are read one by one, but whole",

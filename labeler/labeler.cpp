@@ -337,8 +337,7 @@ PreparedBoundary prepared_boundary(const Snapshot& snapshot, const SupportRadii&
     PreparedBoundary boundary{
         NeighborGrid(snapshot.boundary, radii.min, NeighborFilter{}, options.threads), {}};
     if (options.boundary_weight > 0)
-        boundary.weights =
-            boundary_weights(snapshot, radii, valid, spacing_ratio, options.threads);
+        boundary.weights = boundary_weights(snapshot, radii, valid, spacing_ratio, options.threads);
     return boundary;
 }
 

@@ -81,10 +81,10 @@ PreparedBoundary prepared_boundary(const Snapshot& snapshot, const SupportRadii&
 /// particles get the labels that they have there.
 struct StatePart {
     GridLayout layout;
-    double spacing_ratio = 1;                     ///< measured_spacing_ratio() of the whole
-    const PreparedBoundary* boundary = nullptr;   ///< where there is one
-    std::vector<std::uint8_t> own;                ///< 0: is there for its neighbors alone
-    std::vector<std::uint64_t> numbers;           ///< of the particles in the whole, ascending
+    double spacing_ratio = 1;                   ///< measured_spacing_ratio() of the whole
+    const PreparedBoundary* boundary = nullptr; ///< where there is one
+    std::vector<std::uint8_t> own;              ///< 0: is there for its neighbors alone
+    std::vector<std::uint64_t> numbers;         ///< of the particles in the whole, ascending
 };
 
 /// Labels the own particles of a part, which must be valid and have around them all that are closer

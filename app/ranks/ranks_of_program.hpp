@@ -1,6 +1,6 @@
 // The processes that this one was started with, by mpirun or srun, where the program is built with
-// MENISCUS_MPI; else, or where it was started by itself, this one alone. All that the project has of
-// MPI is in this folder.
+// MENISCUS_MPI; else, or where it was started by itself, this one alone. All that the project has
+// of MPI is in this folder.
 #pragma once
 
 #include <meniscus/data/ranks/ranks.hpp>

@@ -269,8 +269,8 @@ Line best_line(const Campaign& campaign, double label_threshold) {
         const SurfacePart surface = surface_part(plane);
         check_interior(campaign);
         const Hull hull = upper_hull(surface.points, plane.max_slope);
-        const double unit = span(plane.y_feature(), surface.reach_y) /
-                            span(plane.x_feature(), surface.reach_x);
+        const double unit =
+            span(plane.y_feature(), surface.reach_y) / span(plane.x_feature(), surface.reach_x);
         const SlopeChoice choice = choose_slope(plane, weights, hull, unit);
         if (choice.weight > best.weight ||
             (choice.weight == best.weight && choice.width > best.width)) {

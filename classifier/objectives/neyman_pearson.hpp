@@ -25,9 +25,9 @@ double max_slope(const FeaturePair& features = {});
 /// The half-plane of least mean over scenes of (false positives / particles) subject to no false
 /// negative, d_margin(k) included in d. Where several slopes are equally good, the middle of the
 /// widest interval of them, by angle in a plane in which both features span about one. Visits the
-/// states four times (twelve where surface may lie on any side) and keeps some ten MiB, and the
-/// slopes near the best one. States must be of one kind. Throws InputError where no surface particle
-/// has neighbors, or where there is no interior particle; on all ranks alike.
+/// states four times (thirteen where surface may lie on any side) and keeps some ten MiB, and the
+/// slopes near the best one. States must be of one kind. Throws InputError where no surface
+/// particle has neighbors, or where there is no interior particle; on all ranks alike.
 Line best_line(const Campaign& campaign, double label_threshold);
 
 /// The same for states in memory.

@@ -33,7 +33,8 @@ const std::vector<Objective>& objectives() {
         {"neyman-pearson", "fewest false positives without a false negative, exact", true,
          fit_exactly, best_line},
         {"logistic", "the paper's linear separator, shifted", false, fit_logistic, nullptr},
-        {"network", "the line along a small network's boundary, shifted", false, fit_network, nullptr},
+        {"network", "the line along a small network's boundary, shifted", false, fit_network,
+         nullptr},
     };
     return all;
 }

@@ -34,8 +34,8 @@ struct TrainingOptions {
 /// libtorch is needed and not there, or where its fit finds no line.
 Model train(const std::vector<LabelledState>& states, const TrainingOptions& options);
 
-/// The same for a campaign, which is visited six times. Throws InputError, too, where the objective
-/// needs all states in memory and they are not; on all ranks alike.
+/// The same for a campaign, which is visited five times. Throws InputError, too, where the
+/// objective needs all states in memory and they are not; on all ranks alike.
 Model train(const Campaign& campaign, const TrainingOptions& options);
 
 /// Adds a second line for what the model's first lets through, of the features of `second`: the

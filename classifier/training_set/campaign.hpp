@@ -1,6 +1,7 @@
-// A training set that need not fit into memory: its states are visited one after the other, as often
-// as asked for, and no more of them is kept than what adds up (numbers of particles, a hull, counts
-// in bins). Several ranks share the states; what they add up together does not depend on how.
+// A training set that need not fit into memory: its states are visited one after the other, as
+// often as asked for, and no more of them is kept than what adds up (numbers of particles, a hull,
+// counts in bins). Several ranks share the states; what they add up together does not depend on
+// how.
 #pragma once
 
 #include "labelled_state.hpp"

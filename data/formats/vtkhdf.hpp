@@ -34,7 +34,7 @@ struct VtkhdfPart {
     std::uint64_t first;
     std::uint64_t count;
     std::vector<std::string> arrays; ///< point data to read beside the positions
-    bool positions = true; ///< without, the snapshot has arrays alone
+    bool positions = true;           ///< without, the snapshot has arrays alone
 };
 
 /// A snapshot of these particles and arrays alone, without boundary and cells: of what read_vtkhdf

@@ -122,8 +122,8 @@ void write_rows(hid_t dataset, hid_t creation, hid_t memory_type, const Dimensio
         count[0] = std::min<std::uint64_t>(at_once, rows - first[0]);
         const void* values = fetch_outside(turn, source, first[0], count[0]);
         const Handle in_file = made(H5Dget_space(dataset), H5Sclose);
-        const Handle in_memory = made(
-            H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose);
+        const Handle in_memory =
+            made(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose);
         require(H5Sselect_hyperslab(in_file, H5S_SELECT_SET, first.data(), nullptr, count.data(),
                                     nullptr));
         require(H5Dwrite(dataset, memory_type, in_memory, in_file, H5P_DEFAULT, values));
@@ -196,8 +196,8 @@ auto by_stored_name(const Entries& entries, Name name_of) {
 
 /// Numbers that follow on each other from `first` on, made as they are written.
 template <class Number>
-void write_made(hid_t group, const char* name, std::uint64_t size,
-                Number (*value)(std::uint64_t), Turn& turn) {
+void write_made(hid_t group, const char* name, std::uint64_t size, Number (*value)(std::uint64_t),
+                Turn& turn) {
     std::vector<Number> some;
     const RowSource source = {std::uint64_t{1} << 18,
                               [&](std::uint64_t first, std::uint64_t count) -> const void* {
@@ -291,8 +291,8 @@ void write_for_meniscus(hid_t file, const Snapshot& snapshot, Turn& turn) {
         write_text(provenance, name, entry->second);
 }
 
-/// Fills a file with the snapshot. The bytes are those that HDF5 has flushed: closing the file would
-/// change them once more.
+/// Fills a file with the snapshot. The bytes are those that HDF5 has flushed: closing the file
+/// would change them once more.
 void fill_file(int descriptor, const Given& given, FileBeingWritten& written) {
     Turn turn(hdf5_turn());
     const QuietErrors quiet;

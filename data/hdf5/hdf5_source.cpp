@@ -288,8 +288,8 @@ void read_into(const Hdf5Source& source, const Dataset& dataset, const Rows& row
     const Handle in_file(H5Dget_space(dataset.id), H5Sclose);
     const Handle in_memory(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr),
                            H5Sclose);
-    if (H5Sselect_hyperslab(in_file, H5S_SELECT_SET, first.data(), nullptr, count.data(),
-                            nullptr) < 0 ||
+    if (H5Sselect_hyperslab(in_file, H5S_SELECT_SET, first.data(), nullptr, count.data(), nullptr) <
+            0 ||
         H5Dread(dataset.id, memory_type, in_memory, in_file, H5P_DEFAULT, values) < 0)
         fail(source, dataset.path, "readable numbers", "damaged ones; make the file again");
 }

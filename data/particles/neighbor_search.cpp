@@ -78,8 +78,7 @@ std::uint64_t bucket_of(const Grid& grid, const Cell& cell) {
     if (grid.layout.direct)
         return static_cast<std::uint64_t>(
             cell[0] - grid.first[0] +
-            grid.cells[0] *
-                (cell[1] - grid.first[1] + grid.cells[1] * (cell[2] - grid.first[2])));
+            grid.cells[0] * (cell[1] - grid.first[1] + grid.cells[1] * (cell[2] - grid.first[2])));
     const auto x = static_cast<std::uint64_t>(cell[0]);
     const auto y = static_cast<std::uint64_t>(cell[1]);
     const auto z = static_cast<std::uint64_t>(cell[2]);
@@ -446,8 +445,9 @@ void check_comparisons(const Levels& levels) {
                          [&](const SortedRange& range) { comparisons += range.end - range.begin; });
     }
     if (comparisons / sampled > max)
-        throw InputError("support radii up to " + rounded_text(levels.grids.back().layout.radius, 3) +
-                         " m reach over " + std::to_string(comparisons / sampled) +
+        throw InputError("support radii up to " +
+                         rounded_text(levels.grids.back().layout.radius, 3) + " m reach over " +
+                         std::to_string(comparisons / sampled) +
                          " particles on average, expected at most " + std::to_string(max) +
                          "; are they all in m? --support-radius gives one for all");
 }

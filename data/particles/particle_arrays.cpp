@@ -31,8 +31,8 @@ std::vector<std::int64_t> as_integers(const std::vector<Value>& values, std::str
                 continue;
             if (!fits_int64(values[i]))
                 throw InputError("particle " + std::to_string(first_particle + i) + " has " +
-                                 std::string(name) +
-                                 " " + number_text(values[i]) + ", expected a whole number");
+                                 std::string(name) + " " + number_text(values[i]) +
+                                 ", expected a whole number");
             integers[i] = static_cast<std::int64_t>(values[i]);
         }
         return integers;
@@ -141,8 +141,8 @@ std::vector<double> checked_masses(const Snapshot& snapshot,
     for (std::size_t i = 0; i < masses.size(); ++i)
         if (valid[i] != 0 && !(masses[i] > 0 && std::isfinite(masses[i])))
             throw InputError("particle " + std::to_string(snapshot.first_particle + i) +
-                             " has mass " +
-                             number_text(masses[i]) + ", expected a positive number");
+                             " has mass " + number_text(masses[i]) +
+                             ", expected a positive number");
     return masses;
 }
 
@@ -165,8 +165,11 @@ std::vector<std::int64_t> integer_values(const Snapshot& snapshot, std::string_v
                                          const std::vector<std::uint8_t>& valid) {
     if (find_array(snapshot, name) == nullptr)
         return {};
-    return std::visit([&](const auto& values) { return as_integers(values, name, valid, snapshot.first_particle); },
-                      scalar_array(snapshot, name).values);
+    return std::visit(
+        [&](const auto& values) {
+            return as_integers(values, name, valid, snapshot.first_particle);
+        },
+        scalar_array(snapshot, name).values);
 }
 
 } // namespace meniscus

@@ -84,8 +84,7 @@ double measured_spacing_ratio(const Snapshot& snapshot, const SupportRadii& radi
         sums = kernel_sums(grid, radii, snapshot.dimension, threads, false);
     if (sums.empty())
         return 1;
-    const auto quartile =
-        sums.begin() + static_cast<std::ptrdiff_t>(quartile_place(sums.size()));
+    const auto quartile = sums.begin() + static_cast<std::ptrdiff_t>(quartile_place(sums.size()));
     std::nth_element(sums.begin(), quartile, sums.end());
     return spacing_ratio_of_sum(*quartile, snapshot, radii);
 }

@@ -30,8 +30,8 @@ public:
 /// This process alone.
 Ranks& one_process();
 
-/// Does this rank's share of a step. Where that throws on any rank, all throw the error of the first
-/// of them, so that none waits for another. InputError and FailureError stay what they are.
+/// Does this rank's share of a step. Where that throws on any rank, all throw the error of the
+/// first of them, so that none waits for another. InputError and FailureError stay what they are.
 void do_together(Ranks& ranks, const std::function<void()>& share);
 
 /// What each rank says, on all of them, in the order of ranks.

@@ -40,7 +40,8 @@ public:
     SlabWork(const RowsOfState& state, const LabelOptions& options, const SlabOptions& slabs,
              Ranks& ranks)
         : state(state), options(options), slab_options(slabs), ranks(ranks),
-          radius(state.frame.support_radius.value()), labels(slabs.scratch, options.features.size()) {
+          radius(state.frame.support_radius.value()),
+          labels(slabs.scratch, options.features.size()) {
         for (const char* name : {"mass", "phase", "id"})
             if (find_array(state.frame, name) != nullptr &&
                 (name != std::string("id") || options.method == LabelMethod::monte_carlo))
@@ -80,7 +81,7 @@ private:
     std::uint64_t exchanged = 0;
 
     void set_budget() {
-        constexpr std::uint64_t min_rows = 1 << 14;
+        constexpr std::uint64_t min_rows = 1 << 12;
         constexpr std::uint64_t max_rows = 1 << 20;
         const std::uint64_t used =
             resident_memory() + state.frame.boundary.size() * bytes_a_boundary_particle;
@@ -208,9 +209,9 @@ private:
 
     /// The slab that a layer belongs to.
     [[nodiscard]] std::size_t slab_of(std::int64_t layer) const {
-        const auto after = std::upper_bound(
-            plan_of_all.begin(), plan_of_all.end(), layer,
-            [](std::int64_t one, const Slab& slab) { return one < slab.first; });
+        const auto after =
+            std::upper_bound(plan_of_all.begin(), plan_of_all.end(), layer,
+                             [](std::int64_t one, const Slab& slab) { return one < slab.first; });
         return static_cast<std::size_t>(after - plan_of_all.begin()) - 1;
     }
 
@@ -237,8 +238,8 @@ private:
             [&] { hand_out(records); }, arrays);
     }
 
-    /// Sends records to the ranks whose slabs they are for. In each round the ranks have blocks that
-    /// follow on each other, so that slabs get their particles in the order of the file.
+    /// Sends records to the ranks whose slabs they are for. In each round the ranks have blocks
+    /// that follow on each other, so that slabs get their particles in the order of the file.
     void hand_out(std::vector<std::string>& records) {
         std::vector<std::string> for_rank(static_cast<std::size_t>(ranks.size()));
         for (std::size_t slab = 0; slab < records.size(); ++slab) {
@@ -434,6 +435,15 @@ std::uint64_t resident_memory() {
     std::uint64_t resident = 0;
     std::ifstream("/proc/self/statm") >> all >> resident;
     return resident * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+}
+
+std::uint64_t peak_memory() {
+    std::ifstream status("/proc/self/status");
+    std::uint64_t kibibytes = 0;
+    for (std::string word; status >> word;)
+        if (word == "VmHWM:")
+            status >> kibibytes;
+    return kibibytes << 10;
 }
 
 } // namespace meniscus

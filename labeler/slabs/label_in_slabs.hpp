@@ -1,9 +1,10 @@
-// A state that is larger than memory, labelled in slabs: layers of the neighbor search's cells along
-// its longest axis, each with the layer of particles beside it on either side, which is as far as
-// neighbors reach. Cells lie where those of the whole state would, so that each particle finds the
-// same neighbors in the same order and gets the same labels, to the bit. What does not fit goes
-// through scratch files: particles are read in the order of the file, sorted into slabs, labelled
-// slab by slab, and their labels put back into the order of the file. Several ranks share the slabs.
+// A state that is larger than memory, labelled in slabs: layers of the neighbor search's cells
+// along its longest axis, each with the layer of particles beside it on either side, which is as
+// far as neighbors reach. Cells lie where those of the whole state would, so that each particle
+// finds the same neighbors in the same order and gets the same labels, to the bit. What does not
+// fit goes through scratch files: particles are read in the order of the file, sorted into slabs,
+// labelled slab by slab, and their labels put back into the order of the file. Several ranks share
+// the slabs.
 #pragma once
 
 #include <meniscus/data/particles/snapshot.hpp>
@@ -49,13 +50,13 @@ public:
     double spacing_ratio = 1;
     std::uint64_t valid = 0;
     std::uint64_t surface = 0;
-    std::uint64_t more = 0;          ///< uncovered by more than the threshold
-    double neighbors = 0;            ///< sum of the valid ones' neighbor counts
+    std::uint64_t more = 0;            ///< uncovered by more than the threshold
+    double neighbors = 0;              ///< sum of the valid ones' neighbor counts
     std::vector<std::string> warnings; ///< one line each
 
     // How it was done, for whoever measures it:
     std::uint64_t slabs = 0;
-    std::uint64_t halo = 0;           ///< particles that were there for their neighbors alone
+    std::uint64_t halo = 0;            ///< particles that were there for their neighbors alone
     std::uint64_t bytes_exchanged = 0; ///< between ranks
 
 private:
@@ -63,9 +64,9 @@ private:
 };
 
 /// Labels the state. On rank 0 the labels are there afterwards; on others only what is said of
-/// them. Options are those of label_particles, `progress` is called with the particles of this rank.
-/// Throws as label_particles does, InputError where the memory does not suffice, saying how much
-/// would, and FailureError where the scratch folder is full; on all ranks alike.
+/// them. Options are those of label_particles, `progress` is called with the particles of this
+/// rank. Throws as label_particles does, InputError where the memory does not suffice, saying how
+/// much would, and FailureError where the scratch folder is full; on all ranks alike.
 LabelsInFile label_in_slabs(const RowsOfState& state, const LabelOptions& options,
                             const SlabOptions& slabs, Ranks& ranks);
 
@@ -73,7 +74,9 @@ LabelsInFile label_in_slabs(const RowsOfState& state, const LabelOptions& option
 /// data and boundary.
 std::uint64_t memory_in_one_pass(const Snapshot& outline, const LabelOptions& options);
 
-/// Bytes that this process has in memory now; 0 where the system does not say.
+/// Bytes that this process has in memory now, and the most that it ever had; 0 where the system
+/// does not say.
 std::uint64_t resident_memory();
+std::uint64_t peak_memory();
 
 } // namespace meniscus

@@ -33,8 +33,8 @@ std::uint64_t bytes_of(const LayerCounts& counts, const SlabCost& cost, std::siz
                         begin + static_cast<std::ptrdiff_t>(to), std::uint64_t{0});
     if (!counts.layout.direct)
         return particles * (cost.particle + 3 * cost.cell);
-    std::uint64_t cells = static_cast<std::uint64_t>(to - from) *
-                          static_cast<std::uint64_t>(counts.layers_a_bin);
+    std::uint64_t cells =
+        static_cast<std::uint64_t>(to - from) * static_cast<std::uint64_t>(counts.layers_a_bin);
     for (int axis = 0; axis < 3; ++axis)
         if (axis != counts.axis)
             cells *= static_cast<std::uint64_t>(counts.layout.cells[axis]);
@@ -49,7 +49,8 @@ std::vector<std::size_t> ends_of(const LayerCounts& counts, std::size_t slabs) {
     std::uint64_t so_far = 0;
     for (std::size_t bin = 0; bin < counts.bins.size(); ++bin) {
         so_far += counts.bins[bin];
-        const double share = all * static_cast<double>(ends.size() + 1) / static_cast<double>(slabs);
+        const double share =
+            all * static_cast<double>(ends.size() + 1) / static_cast<double>(slabs);
         if (static_cast<double>(so_far) >= share && ends.size() + 1 < slabs && counts.bins[bin] > 0)
             ends.push_back(bin + 1);
     }

@@ -7,8 +7,8 @@
 namespace meniscus {
 namespace {
 
-constexpr std::size_t position_words = 5;  ///< number, layer and position
-constexpr std::size_t label_words = 4;     ///< number, lambda, mass offset and count
+constexpr std::size_t position_words = 5; ///< number, layer and position
+constexpr std::size_t label_words = 4;    ///< number, lambda, mass offset and count
 constexpr std::size_t bytes_at_once = 1 << 20;
 
 } // namespace

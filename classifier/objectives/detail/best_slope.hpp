@@ -31,9 +31,9 @@ struct SlopeChoice {
 /// 0 on. Called twice, with the same events.
 using VisitEvents = std::function<std::int64_t(const std::function<void(const SlopeEvent&)>&)>;
 
-/// The best slope from 0 to max_slope; angles are those of k / slope_unit. Throws FailureError where
-/// more events than memory should be taken for lie so close to the best slope that they have to be
-/// sorted.
+/// The best slope from 0 to max_slope; angles are those of k / slope_unit. Throws FailureError
+/// where more events than memory should be taken for lie so close to the best slope that they have
+/// to be sorted.
 SlopeChoice best_slope(const VisitEvents& visit_events, double max_slope, double slope_unit,
                        Ranks& ranks);
 

@@ -1,4 +1,5 @@
-// The particles and labels of one slab, in files: records of 8-byte words, in the order of the state.
+// The particles and labels of one slab, in files: records of 8-byte words, in the order of the
+// state.
 #pragma once
 
 #include "slab_plan.hpp"
@@ -36,8 +37,8 @@ void append_part(std::size_t slab, std::string_view bytes, std::string& parts);
 void visit_parts(std::string_view parts,
                  const std::function<void(std::size_t slab, std::string_view bytes)>& visit);
 
-/// Writes valid particles of a block of rows as records: number, layer, position, and the values of these
-/// arrays.
+/// Writes valid particles of a block of rows as records: number, layer, position, and the values of
+/// these arrays.
 class RecordWriter {
 public:
     RecordWriter(const Snapshot& rows, const std::vector<std::uint8_t>& valid,
@@ -86,7 +87,7 @@ public:
 
 private:
     const ScratchFile* file;
-    std::size_t record;    ///< bytes
+    std::size_t record;     ///< bytes
     std::uint64_t read = 0; ///< bytes of the file
     std::string waiting;
     std::size_t taken = 0; ///< bytes of what waits
