@@ -1,4 +1,4 @@
-#include "label.hpp"
+#include "input_options.hpp"
 
 #include <meniscus/data/formats/snapshot_files.hpp>
 #include <meniscus/data/formats/vtkhdf.hpp>

@@ -16,6 +16,7 @@
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/files.hpp>
 #include <meniscus/data/text/text.hpp>
+#include <meniscus/data/threads/threads.hpp>
 #include <meniscus/labeler/sampling/directions.hpp>
 #include <meniscus/labeler/slabs/label_in_slabs.hpp>
 
@@ -135,6 +136,7 @@ struct LabelJob {
     const std::string& request;
     const std::optional<Snapshot>& earlier; ///< what stands at the output
     bool is_quiet;                          ///< no progress is shown
+    std::uint64_t memory;                   ///< bytes that the job may take; 0: no limit
 };
 
 /// Options that show progress by a bar.
@@ -165,8 +167,7 @@ FileReport label_in_one_pass(const LabelJob& job) {
 
 FileReport label_large(const LabelJob& job, LargeState large, Ranks& ranks) {
     note_origin(job, large.state.frame);
-    const SlabOptions slabs = {job.command.memory, job.command.files.folder,
-                               default_label_threshold};
+    const SlabOptions slabs = {job.memory, job.command.files.folder, default_label_threshold};
     ProgressBar bar(job.output.filename().string(),
                     large.state.size / static_cast<std::uint64_t>(ranks.size()),
                     job.is_quiet || ranks.rank() > 0);
@@ -193,6 +194,13 @@ FileReport label_large(const LabelJob& job, LargeState large, Ranks& ranks) {
     return report;
 }
 
+/// A file that is worked on beside others, with one thread, gets its share of the memory.
+LargeStateOptions memory_options(const LabelCommand& command, int threads) {
+    const int beside = threads == 1 ? thread_count(command.label.threads) : 1;
+    return {command.memory / static_cast<std::uint64_t>(beside), command.input,
+            command.no_boundary};
+}
+
 /// Labels one of the command's files, which are files and no patterns any more; a state that is too
 /// large together with the other ranks, each of which calls this then.
 FileReport label_file(const Path& input, const Path& output, const Boundary& boundary, int threads,
@@ -204,15 +212,22 @@ FileReport label_file(const Path& input, const Path& output, const Boundary& bou
         request = request_of("label", input, command.input, boundary, request_words(command));
         earlier = earlier_output(output, "uncovered_fraction");
         if (!is_up_to_date(earlier, request))
-            large = large_state(input, boundary, threads, command);
+            large = large_state(input, boundary, memory_options(command, threads), command.label);
     });
     if (is_up_to_date(earlier, request))
         return {{}, printable(output.string()) + ": up to date\n", true, {}};
     LabelOptions options = command.label;
     options.threads = threads;
     const bool is_alone = command.files.inputs.size() == 1 || threads != 1;
-    const LabelJob job = {input,   output,  boundary, command,
-                          options, request, earlier,  command.quiet || !is_alone};
+    const LabelJob job = {input,
+                          output,
+                          boundary,
+                          command,
+                          options,
+                          request,
+                          earlier,
+                          command.quiet || !is_alone,
+                          memory_options(command, threads).memory};
     return large ? label_large(job, *large, ranks) : label_in_one_pass(job);
 }
 
@@ -292,7 +307,8 @@ std::vector<Path> run_label(const LabelCommand& asked) {
         });
     };
     batch.is_shared = [&](std::size_t f) {
-        return large_state(files.inputs[f], boundary, 0, command).has_value();
+        return large_state(files.inputs[f], boundary, memory_options(command, 0), command.label)
+            .has_value();
     };
     batch.work_together = [&](std::size_t f) {
         return label_one(f, command.label.threads, ranks_of_program());

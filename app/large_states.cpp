@@ -6,7 +6,6 @@
 #include <meniscus/data/particles/periodic_copies.hpp>
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/text.hpp>
-#include <meniscus/data/threads/threads.hpp>
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -15,7 +14,7 @@ namespace meniscus {
 namespace {
 
 /// What the program takes for itself.
-constexpr std::uint64_t own_memory = std::uint64_t{24} << 20;
+constexpr std::uint64_t own_memory = std::uint64_t{28} << 20;
 
 /// Bytes that a file of another format takes in memory are told by its size alone.
 constexpr std::uint64_t bytes_a_byte = 8;
@@ -41,8 +40,7 @@ bool has_same_names(const Snapshot& outline) {
 }
 
 /// What keeps a state from being read in rows; empty: nothing.
-std::string obstacle(const Snapshot& outline, const LabelCommand& command, bool has_boundary_file) {
-    const InputOptions& options = command.input;
+std::string obstacle(const Snapshot& outline, const InputOptions& options, bool has_boundary_file) {
     const auto has_name = [](const PointArray& array) { return lowered(array.name) == "type"; };
     if (!options.fluid.empty() || !options.walls.empty() || !options.ignored.empty() ||
         std::any_of(outline.point_data.begin(), outline.point_data.end(), has_name))
@@ -62,9 +60,9 @@ std::string obstacle(const Snapshot& outline, const LabelCommand& command, bool 
 
 /// As read_to_label completes what it has read.
 void complete(Snapshot& frame, const Path& file, const Boundary& boundary,
-              const LabelCommand& command) {
-    set_options(frame, file, command.input);
-    if (command.no_boundary)
+              const LargeStateOptions& options) {
+    set_options(frame, file, options.input);
+    if (options.no_boundary)
         remove_periodic_copies(frame);
     else if (boundary.positions.empty())
         frame.boundary = read_vtkhdf_boundary(file);
@@ -120,17 +118,13 @@ void add_memory_option(CLI::App& verb, std::uint64_t& memory, const std::string&
         ->type_name("SIZE");
 }
 
-std::optional<LargeState> large_state(const Path& input, const Boundary& boundary, int threads,
-                                      const LabelCommand& command) {
-    if (command.memory == 0)
+std::optional<LargeState> large_state(const Path& input, const Boundary& boundary,
+                                      const LargeStateOptions& options, const LabelOptions& label) {
+    if (options.memory == 0)
         return {};
-    const bool shares = threads == 1;
-    const std::uint64_t memory =
-        command.memory /
-        static_cast<std::uint64_t>(shares ? thread_count(command.label.threads) : 1);
     if (!is_vtkhdf(input)) {
         const std::uint64_t needed = bytes_a_byte * std::filesystem::file_size(input) + own_memory;
-        if (needed > memory)
+        if (needed > options.memory)
             refuse(input, needed, "that is only for the project's own files");
         return {};
     }
@@ -138,13 +132,13 @@ std::optional<LargeState> large_state(const Path& input, const Boundary& boundar
     Snapshot& frame = large.state.frame;
     frame = read_vtkhdf_outline(input);
     const std::uint64_t needed =
-        memory_in_one_pass(frame, command.label) + own_memory + 76 * boundary.positions.size();
-    if (needed <= memory)
+        memory_in_one_pass(frame, label) + own_memory + 76 * boundary.positions.size();
+    if (needed <= options.memory)
         return {};
-    const std::string why = obstacle(frame, command, !boundary.positions.empty());
+    const std::string why = obstacle(frame, options.input, !boundary.positions.empty());
     if (!why.empty())
         refuse(input, needed, why);
-    complete(frame, input, boundary, command);
+    complete(frame, input, boundary, options);
     large.state.size = frame.particles_in_file;
     large.state.read = [input](std::uint64_t first, std::uint64_t count,
                                const std::vector<std::string>& arrays) {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "command_line.hpp"
-#include "label.hpp"
+#include "input_options.hpp"
 
 #include <meniscus/labeler/slabs/label_in_slabs.hpp>
 
@@ -21,11 +21,18 @@ struct LargeState {
     RowsOfState state;
 };
 
-/// The state where to label it in one pass takes more than the command's memory, of which a file
-/// that is worked on beside others, with one thread, gets its share; nothing where it fits. Throws
-/// InputError where it does not and cannot be read in rows, saying why and how much it takes.
-std::optional<LargeState> large_state(const Path& input, const Boundary& boundary, int threads,
-                                      const LabelCommand& command);
+/// What decides whether and how a state is read in rows.
+struct LargeStateOptions {
+    std::uint64_t memory = 0; ///< bytes; 0: no limit
+    InputOptions input;
+    bool no_boundary = false; ///< boundary particles do not cover
+};
+
+/// The state where to label it in one pass takes more than the memory; nothing where it fits.
+/// Throws InputError where it does not and cannot be read in rows, saying why and how much it
+/// takes.
+std::optional<LargeState> large_state(const Path& input, const Boundary& boundary,
+                                      const LargeStateOptions& options, const LabelOptions& label);
 
 /// Writes the state with its labels. Throws as write_vtkhdf does.
 void write_large(const LargeState& large, const LabelsInFile& labels, const LabelOptions& options,

@@ -81,10 +81,10 @@ private:
     std::uint64_t exchanged = 0;
 
     void set_budget() {
-        constexpr std::uint64_t min_rows = 1 << 12;
+        constexpr std::uint64_t min_rows = 1 << 13;
         constexpr std::uint64_t max_rows = 1 << 20;
-        const std::uint64_t used =
-            resident_memory() + state.frame.boundary.size() * bytes_a_boundary_particle;
+        const std::uint64_t used = resident_memory() + more_program +
+                                   state.frame.boundary.size() * bytes_a_boundary_particle;
         std::vector<double> least = {
             slab_options.memory > used ? static_cast<double>(slab_options.memory - used) : 0};
         ranks.min(least); // all plan the same
@@ -94,6 +94,9 @@ private:
         rows_at_once = std::clamp(left / 4 / row, min_rows, max_rows);
         budget = left - std::min(left, rows_at_once * row);
     }
+
+    /// What the program comes to take itself while it works.
+    static constexpr std::uint64_t more_program = std::uint64_t{10} << 20;
 
     static constexpr std::uint64_t bytes_a_boundary_particle = 24 + 24 + 8 + 4 + 8 + 8;
 

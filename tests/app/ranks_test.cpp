@@ -89,7 +89,7 @@ TEST_F(RanksOfMpi, LabelSamplesInSlabsTogether) {
     succeed(words + Words{folder / "one"});
     for (const int ranks : {2, 3}) {
         const Path several = folder / std::to_string(ranks);
-        // Less than is needed for any of them in one pass.
+        // Less than the largest ones need in one pass.
         EXPECT_EQ(succeed_on(ranks, words + Words{several, "--memory", "33MB"}), "");
         expect_same_files(folder / "one", several);
     }
@@ -175,7 +175,7 @@ TEST_F(RanksOfMpi, AKilledRankLosesItsFileAlone) {
 }
 
 TEST_F(RanksOfMpi, AFullDiskFailsInOneLine) {
-    const std::string script = R"(mount -t tmpfs -o size=2m none "$0" || exit 77
+    const std::string script = R"(mount -t tmpfs -o size=512k none "$0" || exit 77
         "$@"
         status=$?
         ls -A "$0"
