@@ -314,14 +314,18 @@ void fill_file(int descriptor, const Given& given, FileBeingWritten& written) {
 void write_given(const Given& given, const fs::path& file) {
     write_whole(file, [&](int descriptor) {
         FileBeingWritten written;
+        bool has_memory = true;
         try {
             fill_file(descriptor, given, written);
         } catch (const std::bad_alloc&) {
-            if (written.error != 0)
-                fail_to_write(file, written.error);
+            has_memory = false;
+        }
+        // HDF5 does not always tell: it writes what it holds back while it closes a dataset.
+        if (written.error != 0)
+            fail_to_write(file, written.error);
+        if (!has_memory)
             throw FailureError(file.string() + ": not enough memory to build the file of " +
                                std::to_string(given.size) + " particles");
-        }
         if (ftruncate(descriptor, static_cast<off_t>(written.bytes)) != 0)
             fail_to_write(file, errno);
     });

@@ -17,7 +17,7 @@ Handle open_descriptor(int descriptor, std::uint64_t bytes);
 struct FileBeingWritten {
     std::uint64_t bytes = 0;  ///< that the file has
     bool is_finished = false; ///< what HDF5 writes from now on is ignored, as it does on closing
-    int error = 0;            ///< of the system, where writing has failed
+    int error = 0;            ///< of the system, where writing has failed; finished then, too
 };
 
 /// Begins a file on a descriptor that is open for both, with the creation and access lists given,
