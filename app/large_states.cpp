@@ -1,5 +1,6 @@
 #include "large_states.hpp"
 
+#include <meniscus/app/ranks/ranks_of_program.hpp>
 #include <meniscus/data/formats/vtkhdf.hpp>
 #include <meniscus/data/particles/known_names.hpp>
 #include <meniscus/data/particles/particle_arrays.hpp>
@@ -13,8 +14,10 @@
 namespace meniscus {
 namespace {
 
-/// What the program takes for itself.
-constexpr std::uint64_t own_memory = std::uint64_t{28} << 20;
+/// What the program takes for itself, and MPI where there are several ranks.
+std::uint64_t own_memory() {
+    return std::uint64_t{ranks_of_program().size() > 1 ? 52U : 28U} << 20;
+}
 
 /// Bytes that a file of another format takes in memory are told by its size alone.
 constexpr std::uint64_t bytes_a_byte = 8;
@@ -123,7 +126,8 @@ std::optional<LargeState> large_state(const Path& input, const Boundary& boundar
     if (options.memory == 0)
         return {};
     if (!is_vtkhdf(input)) {
-        const std::uint64_t needed = bytes_a_byte * std::filesystem::file_size(input) + own_memory;
+        const std::uint64_t needed =
+            bytes_a_byte * std::filesystem::file_size(input) + own_memory();
         if (needed > options.memory)
             refuse(input, needed, "that is only for the project's own files");
         return {};
@@ -132,7 +136,7 @@ std::optional<LargeState> large_state(const Path& input, const Boundary& boundar
     Snapshot& frame = large.state.frame;
     frame = read_vtkhdf_outline(input);
     const std::uint64_t needed =
-        memory_in_one_pass(frame, label) + own_memory + 76 * boundary.positions.size();
+        memory_in_one_pass(frame, label) + own_memory() + 76 * boundary.positions.size();
     if (needed <= options.memory)
         return {};
     const std::string why = obstacle(frame, options.input, !boundary.positions.empty());

@@ -103,6 +103,15 @@ Trained train_on_visits(const TrainCommand& command, Ranks& ranks) {
     return trained;
 }
 
+/// Bytes that a particle takes in a snapshot.
+std::uint64_t bytes_a_particle(const Snapshot& outline) {
+    std::uint64_t bytes = sizeof(Positions::value_type);
+    for (const PointArray& array : outline.point_data)
+        bytes += static_cast<std::uint64_t>(array.components) *
+                 std::visit([](const auto& values) { return sizeof values[0]; }, array.values);
+    return bytes;
+}
+
 /// Whether the files are more than may be in memory at a time. Throws InputError where one alone
 /// is.
 bool exceeds_memory(const TrainCommand& command) {

@@ -90,7 +90,7 @@ TEST_F(RanksOfMpi, LabelSamplesInSlabsTogether) {
     for (const int ranks : {2, 3}) {
         const Path several = folder / std::to_string(ranks);
         // Less than the largest ones need in one pass.
-        EXPECT_EQ(succeed_on(ranks, words + Words{several, "--memory", "33MB"}), "");
+        EXPECT_EQ(succeed_on(ranks, words + Words{several, "--memory", "60MB"}), "");
         expect_same_files(folder / "one", several);
     }
 }
@@ -186,8 +186,8 @@ TEST_F(RanksOfMpi, AFullDiskFailsInOneLine) {
                            script,    disk};
     if (run(on_disk + Words{"true"}).status != 0)
         GTEST_SKIP() << "mounting is not permitted here";
-    const Path input = save(block(60), "block.vtkhdf");
-    for (const Words& memory : {Words{}, Words{"--memory", "40MB"}}) {
+    const Path input = save(block(100), "block.vtkhdf");
+    for (const Words& memory : {Words{}, Words{"--memory", "90MB"}}) {
         const Outcome outcome =
             run(on_disk + on_ranks(2) + Words{"label", input, "-o", disk} + memory);
         EXPECT_EQ(outcome.status, 3) << outcome.errors;
