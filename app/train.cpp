@@ -123,7 +123,7 @@ bool exceeds_memory(const TrainCommand& command) {
     for (const Path& input : command.inputs) {
         const Snapshot outline = naming_file(input, [&] { return read_vtkhdf_outline(input); });
         const std::uint64_t one =
-            own_memory + outline.particles_in_file * kept + memory_in_one_pass(outline, {});
+            own_memory + outline.particles_in_file * (kept + bytes_a_particle(outline));
         if (one > command.memory)
             throw InputError(fmt::format("{}: reading it takes about {} MiB, more than --memory "
                                          "allows; files are read one by one, but whole",
