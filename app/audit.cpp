@@ -5,8 +5,10 @@
 #include "shipped_models.hpp"
 #include "usage.hpp"
 
+#include <meniscus/app/ranks/ranks_of_program.hpp>
 #include <meniscus/app/report/report.hpp>
 #include <meniscus/classifier/audit/audit.hpp>
+#include <meniscus/data/ranks/packing.hpp>
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/files.hpp>
 
@@ -18,6 +20,24 @@
 #include <optional>
 
 namespace meniscus {
+
+/// On its way to whoever adds up; of a model, which has no detector's responses.
+template <class Pack>
+static void carry(Pack& pack, AuditedFile& file) {
+    AuditRow& row = file.row;
+    pack.number(static_cast<ErrorCounts&>(row));
+    carry(pack, row.scene);
+    carry(pack, row.files);
+    for (std::size_t* count : {&row.files_trained_on, &row.false_negatives_float,
+                               &row.false_positives_float, &row.features_differ})
+        pack.number(*count);
+    carry(pack, row.unseen_rates);
+    carry(pack, file.use.file);
+    carry(pack, file.use.spacing_ratio);
+    carry(pack, file.use.bulk_neighbor_count);
+    carry(pack, file.warnings);
+}
+
 namespace {
 
 struct AuditCommand {
@@ -78,15 +98,19 @@ struct AuditedFiles {
 AuditedFiles audit_files(const Model& model, const std::vector<Path>& files,
                          const AuditCommand& command) {
     std::vector<std::optional<AuditedFile>> each(files.size());
-    const FileBatch batch = {"auditing",    "audited",         {}, command.audit.threads,
-                             command.quiet, command.keep_going};
+    FileBatch batch = {"auditing",    "audited",         {}, command.audit.threads,
+                       command.quiet, command.keep_going};
+    batch.collect = [&](std::size_t f, const std::string& found) {
+        each[f] = unpacked<AuditedFile>(found);
+    };
     AuditedFiles audited;
     try {
         for_each_file(files, batch, [&](std::size_t f, int threads) {
             AuditOptions options = command.audit;
             options.threads = threads;
-            each[f] = audit_file(model, files[f], options);
-            return FileReport{};
+            FileReport report;
+            report.found = packed(audit_file(model, files[f], options));
+            return report;
         });
     } catch (const InputError& error) {
         if (std::none_of(each.begin(), each.end(),
@@ -144,6 +168,8 @@ void run_audit(const AuditCommand& command) {
         check_page(*command.report, files, command);
     std::optional<InputError> at_fault;
     const AuditReport report = make_report(files, command, at_fault);
+    if (is_other_rank())
+        return;
     for (const std::string& warning : report.warnings)
         print_error_line("warning: " + warning);
     const auto print = command.format == "json"  ? to_json

@@ -2,6 +2,8 @@
 
 #include "frame_series.hpp"
 
+#include <meniscus/app/ranks/ranks_of_program.hpp>
+#include <meniscus/data/ranks/packing.hpp>
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/threads/threads.hpp>
 
@@ -11,6 +13,8 @@
 #include <exception>
 #include <fmt/format.h>
 #include <mutex>
+#include <new>
+#include <numeric>
 #include <optional>
 #include <system_error>
 
@@ -40,6 +44,8 @@ public:
 
     void add(std::size_t file, FileReport report, const std::exception_ptr& failure) {
         const std::lock_guard alone(lock);
+        if (batch.collect && !failure)
+            batch.collect(file, report.found);
         waiting[file] = Entry{std::move(report), failure};
         ++done;
         while (next < waiting.size() && waiting[next]) {
@@ -173,8 +179,142 @@ void add_keep_going_option(CLI::App& verb, bool& keep_going) {
                   "end");
 }
 
+namespace {
+
+/// A report or what was thrown instead, on its way to the first rank.
+struct Outcome {
+    FileReport report;
+    std::exception_ptr failure;
+};
+
+/// What kind of error was thrown, and what it says.
+enum class Fault : std::uint8_t { none, input, machine };
+
+template <class Pack>
+void carry(Pack& pack, FileReport& report) {
+    carry(pack, report.warnings);
+    carry(pack, report.text);
+    pack.number(report.is_up_to_date);
+    pack.number(report.counts);
+    carry(pack, report.found);
+}
+
+std::string packed_outcome(const Outcome& outcome) {
+    Packer pack;
+    Fault fault = Fault::none;
+    std::string message;
+    try {
+        if (outcome.failure)
+            std::rethrow_exception(outcome.failure);
+    } catch (const InputError& error) {
+        fault = Fault::input;
+        message = error.what();
+    } catch (const std::bad_alloc&) {
+        fault = Fault::machine;
+        message = "out of memory";
+    } catch (const std::exception& error) {
+        fault = Fault::machine;
+        message = error.what();
+    }
+    FileReport report = outcome.report;
+    pack.number(fault);
+    carry(pack, message);
+    carry(pack, report);
+    return pack.bytes;
+}
+
+Outcome unpacked_outcome(const std::string& bytes) {
+    Unpacker pack(bytes);
+    Outcome outcome;
+    Fault fault = Fault::none;
+    std::string message;
+    pack.number(fault);
+    carry(pack, message);
+    carry(pack, outcome.report);
+    if (fault == Fault::input)
+        outcome.failure = std::make_exception_ptr(InputError(message));
+    else if (fault == Fault::machine)
+        outcome.failure = std::make_exception_ptr(FailureError(message));
+    return outcome;
+}
+
+template <class Work>
+Outcome outcome_of(const Work& work) {
+    try {
+        return {work(), nullptr};
+    } catch (...) { // must leave neither a parallel region nor a rank
+        return {{}, std::current_exception()};
+    }
+}
+
+/// Places of files, the largest first.
+std::vector<std::size_t> by_size(const std::vector<Path>& files) {
+    std::vector<std::uintmax_t> bytes;
+    for (const Path& file : files) {
+        std::error_code unknown;
+        const auto size = std::filesystem::file_size(file, unknown);
+        bytes.push_back(unknown ? 0 : size);
+    }
+    std::vector<std::size_t> places(files.size());
+    std::iota(places.begin(), places.end(), std::size_t{0});
+    std::stable_sort(places.begin(), places.end(),
+                     [&](std::size_t a, std::size_t b) { return bytes[a] > bytes[b]; });
+    return places;
+}
+
+/// For each file whether all ranks work on it, as the first rank has it.
+std::vector<std::uint8_t> shared_files(std::size_t count, const FileBatch& batch, Ranks& ranks) {
+    std::vector<std::uint8_t> shared(count);
+    if (ranks.rank() == 0 && batch.is_shared)
+        for (std::size_t f = 0; f < count; ++f) {
+            try {
+                shared[f] = batch.is_shared(f) ? 1 : 0;
+            } catch (const std::exception&) { // whoever works on it says so
+            }
+        }
+    return unpacked<std::vector<std::uint8_t>>(gather(ranks, packed(shared)).front());
+}
+
+void for_each_file_on_ranks(const std::vector<Path>& files, const FileBatch& batch,
+                            const std::function<FileReport(std::size_t, int)>& work, Ranks& ranks) {
+    FileBatch own = batch;
+    own.quiet = batch.quiet || ranks.rank() > 0;
+    Reports reports(files, own);
+    const auto shared = shared_files(files.size(), batch, ranks);
+    std::vector<std::size_t> alone;
+    std::vector<std::uint64_t> stop = {0};
+    for (const std::size_t f : by_size(files)) {
+        if (shared[f] == 0) {
+            alone.push_back(f);
+        } else if (stop[0] == 0) {
+            const Outcome outcome = outcome_of([&] { return batch.work_together(f); });
+            if (ranks.rank() == 0)
+                reports.add(f, outcome.report, outcome.failure);
+            stop[0] = outcome.failure && !batch.keep_going ? 1 : 0;
+        }
+        ranks.sum(stop);
+    }
+    if (stop[0] == 0)
+        hand_out(
+            ranks, alone,
+            [&](std::size_t f) {
+                return packed_outcome(outcome_of([&] { return work(f, batch.threads); }));
+            },
+            [&](std::size_t f, const std::string& result) {
+                const Outcome outcome = unpacked_outcome(result);
+                reports.add(f, outcome.report, outcome.failure);
+                return !reports.should_stop();
+            });
+    if (ranks.rank() == 0)
+        reports.finish();
+}
+
+} // namespace
+
 void for_each_file(const std::vector<Path>& files, const FileBatch& batch,
                    const std::function<FileReport(std::size_t, int)>& work) {
+    if (Ranks& ranks = ranks_of_program(); ranks.size() > 1)
+        return for_each_file_on_ranks(files, batch, work, ranks);
     const int threads = thread_count(batch.threads);
     const bool in_parallel = threads > 1 && are_many_and_small(files, threads);
     Reports reports(files, batch);
@@ -184,14 +324,8 @@ void for_each_file(const std::vector<Path>& files, const FileBatch& batch,
         if (reports.should_stop() || interrupt_is_waiting())
             continue;
         const auto file = static_cast<std::size_t>(f);
-        FileReport report;
-        std::exception_ptr failure; // must not leave the parallel region
-        try {
-            report = work(file, in_parallel ? 1 : batch.threads);
-        } catch (...) {
-            failure = std::current_exception();
-        }
-        reports.add(file, std::move(report), failure);
+        Outcome outcome = outcome_of([&] { return work(file, in_parallel ? 1 : batch.threads); });
+        reports.add(file, std::move(outcome.report), outcome.failure);
     }
     reports.finish();
 }
@@ -201,6 +335,8 @@ void write_for_each_file(const std::vector<Path>& files, const std::vector<Path>
                          const std::function<FileReport(std::size_t, int)>& work) {
     try {
         for_each_file(files, batch, work);
+        if (is_other_rank())
+            return;
     } catch (const InputError&) {
         if (batch.keep_going)
             write_frame_series(outputs);

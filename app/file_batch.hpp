@@ -18,6 +18,7 @@ struct FileReport {
     std::string text;                    ///< lines for standard output
     bool is_up_to_date = false;          ///< there was nothing to do
     std::array<std::size_t, 3> counts{}; ///< of FileBatch::counted, for the summary
+    std::string found{};                 ///< for FileBatch::collect, packed (packing.hpp)
 };
 
 struct FileBatch {
@@ -27,6 +28,13 @@ struct FileBatch {
     int threads = 0;                      ///< 0: all cores
     bool quiet = false;
     bool keep_going = false; ///< a file that is at fault stops no other
+    /// Takes what was found in a file, in no certain order, one at a time; null: nothing is.
+    std::function<void(std::size_t, const std::string&)> collect = nullptr;
+    // Where several ranks share the files:
+    /// Whether all ranks work on a file together; null: on none. Asked on the first rank.
+    std::function<bool(std::size_t)> is_shared = nullptr;
+    /// The work on such a file, which every rank does.
+    std::function<FileReport(std::size_t)> work_together = nullptr;
 };
 
 /// Adds --keep-going to a verb.
@@ -35,7 +43,8 @@ void add_keep_going_option(CLI::App& verb, bool& keep_going);
 /// Calls `work(index, threads)` for each file. `threads` is how many it may use: all of the batch,
 /// or one where files are worked on in parallel. Prints what it returns. Throws what work throws
 /// for the first file at fault, then or, with keep_going, as an InputError that counts them at the
-/// end; the files before that one are done.
+/// end; the files before that one are done. Of several ranks (app/ranks/) each takes the largest
+/// file that is left when it is free, and the first prints and throws; on others nothing is thrown.
 void for_each_file(const std::vector<Path>& files, const FileBatch& batch,
                    const std::function<FileReport(std::size_t, int)>& work);
 

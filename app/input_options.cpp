@@ -1,4 +1,4 @@
-#include "label.hpp"
+#include "input_options.hpp"
 
 #include <meniscus/data/formats/snapshot_files.hpp>
 #include <meniscus/data/formats/vtkhdf.hpp>
@@ -23,6 +23,13 @@ namespace {
 void check_positive(const char* option, const std::optional<double>& value) {
     if (value && !(*value > 0 && std::isfinite(*value)))
         throw InputError(fmt::format("{} must be positive and finite, found {}", option, *value));
+}
+
+void check_lengths(const InputOptions& options) {
+    check_positive("--support-radius", options.support_radius);
+    check_positive("--particle-spacing", options.particle_spacing);
+    check_positive("--particle-volume", options.particle_volume);
+    check_positive("--particle-radius", options.particle_radius);
 }
 
 ReadChoices choices_of(const InputOptions& options) {
@@ -81,12 +88,8 @@ void add_input_options(CLI::App& verb, InputOptions& options) {
                     "name without a trailing frame number)");
 }
 
-Snapshot read_with_options(const Path& file, const InputOptions& options) {
-    check_positive("--support-radius", options.support_radius);
-    check_positive("--particle-spacing", options.particle_spacing);
-    check_positive("--particle-volume", options.particle_volume);
-    check_positive("--particle-radius", options.particle_radius);
-    Snapshot snapshot = read_snapshot(file, choices_of(options));
+void set_options(Snapshot& snapshot, const Path& file, const InputOptions& options) {
+    check_lengths(options);
     set_provenance(snapshot, options);
     if (options.particle_spacing)
         snapshot.particle_spacing = options.particle_spacing;
@@ -98,6 +101,12 @@ Snapshot read_with_options(const Path& file, const InputOptions& options) {
             options.support_radius ? *options.support_radius : 4 * *options.particle_radius;
         snapshot.provenance.erase("support_radius_from");
     }
+}
+
+Snapshot read_with_options(const Path& file, const InputOptions& options) {
+    check_lengths(options); // before the work
+    Snapshot snapshot = read_snapshot(file, choices_of(options));
+    set_options(snapshot, file, options);
     return snapshot;
 }
 

@@ -2,8 +2,10 @@
 #include "label.hpp"
 #include "file_batch.hpp"
 #include "input_files.hpp"
+#include "large_states.hpp"
 #include "usage.hpp"
 
+#include <meniscus/app/ranks/ranks_of_program.hpp>
 #include <meniscus/app/report/report.hpp>
 #include <meniscus/classifier/training_set/labelled_state.hpp>
 #include <meniscus/data/formats/vtkhdf.hpp>
@@ -14,7 +16,9 @@
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/files.hpp>
 #include <meniscus/data/text/text.hpp>
+#include <meniscus/data/threads/threads.hpp>
 #include <meniscus/labeler/sampling/directions.hpp>
+#include <meniscus/labeler/slabs/label_in_slabs.hpp>
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -39,46 +43,74 @@ std::vector<std::string> request_words(const LabelCommand& command) {
     return words;
 }
 
-std::vector<std::string> warnings_of(const Path& output, const Snapshot& snapshot,
-                                     const Labels& labels) {
-    std::vector<std::string> warnings;
-    for (const std::string& warning : labels.warnings)
-        warnings.push_back(output.string() + ": " + warning);
-    const double mean = mean_neighbor_count(labels);
-    const auto [lowest, highest] = plausible_neighbor_counts(snapshot.dimension);
-    const auto doubt = support_radius_warning(output, snapshot, labels.valid, labels.surface);
-    if (doubt)
-        warnings.push_back(*doubt);
-    else if (snapshot.size() > 0 && (mean < lowest || mean > highest))
-        warnings.push_back(fmt::format("{}: a mean neighbor count of {:.1f} is implausible in {}D "
-                                       "(expected {} to {}); is the {} right?",
-                                       output.string(), mean, snapshot.dimension, lowest, highest,
-                                       support_radius_text(snapshot)));
-    return warnings;
-}
+/// What there is to say of a state that was labelled.
+struct LabelSummary {
+    std::uint64_t particles = 0;
+    std::uint64_t surface = 0;
+    std::uint64_t more = 0; ///< uncovered by more than default_label_threshold
+    std::uint64_t valid = 0;
+    double mean_neighbors = 0;
+    double spacing_ratio = 0;
+    std::vector<std::string> warnings; ///< the output's name in front
+    bool is_doubtful = false;          ///< the support radius, as a warning says
+};
 
-FileReport report_of(const Path& output, const Snapshot& snapshot, const Labels& labels,
-                     double boundary_weight) {
-    const auto surface = std::accumulate(labels.surface.begin(), labels.surface.end(), 0UL);
-    const auto valid = std::accumulate(labels.valid.begin(), labels.valid.end(), 0UL);
-    const auto more = static_cast<std::size_t>(
+LabelSummary summary_of(const Path& output, const Snapshot& snapshot, const Labels& labels) {
+    LabelSummary summary;
+    summary.particles = snapshot.size();
+    summary.surface = std::accumulate(labels.surface.begin(), labels.surface.end(), 0UL);
+    summary.valid = std::accumulate(labels.valid.begin(), labels.valid.end(), 0UL);
+    summary.more = static_cast<std::size_t>(
         std::count_if(labels.uncovered_fraction.begin(), labels.uncovered_fraction.end(),
                       [](double lambda) { return lambda > default_label_threshold; }));
+    summary.mean_neighbors = mean_neighbor_count(labels);
+    summary.spacing_ratio = labels.spacing_ratio;
+    for (const std::string& warning : labels.warnings)
+        summary.warnings.push_back(output.string() + ": " + warning);
+    if (const auto doubt = support_radius_warning(output, snapshot, labels.valid, labels.surface)) {
+        summary.warnings.push_back(*doubt);
+        summary.is_doubtful = true;
+    }
+    return summary;
+}
+
+LabelSummary summary_of(const Path& output, const RowsOfState& state, const LabelsInFile& labels) {
+    LabelSummary summary{state.size, labels.surface, labels.more, labels.valid, 0, 0, {}, false};
+    if (labels.valid > 0)
+        summary.mean_neighbors = labels.neighbors / static_cast<double>(labels.valid);
+    summary.spacing_ratio = labels.spacing_ratio;
+    for (const std::string& warning : labels.warnings)
+        summary.warnings.push_back(output.string() + ": " + warning);
+    return summary;
+}
+
+/// `snapshot`: for what the file says of all its particles.
+FileReport report_of(const Path& output, const Snapshot& snapshot, LabelSummary summary,
+                     double boundary_weight) {
+    const auto [lowest, highest] = plausible_neighbor_counts(snapshot.dimension);
+    const double mean = summary.mean_neighbors;
+    if (!summary.is_doubtful && summary.particles > 0 && (mean < lowest || mean > highest))
+        summary.warnings.push_back(
+            fmt::format("{}: a mean neighbor count of {:.1f} is implausible in {}D "
+                        "(expected {} to {}); is the {} right?",
+                        output.string(), mean, snapshot.dimension, lowest, highest,
+                        support_radius_text(snapshot)));
     FileReport report;
-    report.warnings = warnings_of(output, snapshot, labels);
-    report.counts = {snapshot.size(), surface, more};
+    report.warnings = std::move(summary.warnings);
+    report.counts = {summary.particles, summary.surface, summary.more};
     report.text = fmt::format(
         "{}: {} particles in {}D, {} surface, {} of them more than {} % uncovered, mean neighbor "
         "count {:.1f}, h = {:.2f} spacings{}{}\n{}",
-        printable(output.string()), snapshot.size(), snapshot.dimension, surface, more,
-        100 * default_label_threshold, mean_neighbor_count(labels), labels.spacing_ratio,
+        printable(output.string()), summary.particles, snapshot.dimension, summary.surface,
+        summary.more, 100 * default_label_threshold, mean, summary.spacing_ratio,
         snapshot.boundary.empty()
             ? ""
             : fmt::format(", {} boundary particles cover{}", snapshot.boundary.size(),
                           boundary_weight > 0 ? " and count" : ""),
-        valid == snapshot.size()
+        summary.valid == summary.particles
             ? ""
-            : fmt::format(", {} left out as not finite or too far out", snapshot.size() - valid),
+            : fmt::format(", {} left out as not finite or too far out",
+                          summary.particles - summary.valid),
         reading_notes(snapshot));
     return report;
 }
@@ -94,30 +126,109 @@ Snapshot read_to_label(const Path& input, const Boundary& boundary, const LabelC
     return snapshot;
 }
 
-/// Labels one of the command's files, which are files and no patterns any more.
+/// An input and what is to be made of it.
+struct LabelJob {
+    const Path& input;
+    const Path& output;
+    const Boundary& boundary;
+    const LabelCommand& command;
+    const LabelOptions& options; ///< the command's, with the threads that the job may use
+    const std::string& request;
+    const std::optional<Snapshot>& earlier; ///< what stands at the output
+    bool is_quiet;                          ///< no progress is shown
+    std::uint64_t memory;                   ///< bytes that the job may take; 0: no limit
+};
+
+/// Options that show progress by a bar.
+LabelOptions with_progress(LabelOptions options, ProgressBar& bar) {
+    options.progress = [&bar](std::size_t done) { bar.show(done); };
+    return options;
+}
+
+void note_origin(const LabelJob& job, Snapshot& snapshot) {
+    set_input_provenance(snapshot, job.input);
+    if (!job.command.files.overwrite)
+        check_made_from_same(job.output, job.earlier, snapshot);
+    snapshot.provenance["request"] = job.request;
+}
+
+FileReport label_in_one_pass(const LabelJob& job) {
+    Snapshot snapshot = read_to_label(job.input, job.boundary, job.command);
+    const SupportRadii radii = support_radii(snapshot);
+    note_origin(job, snapshot);
+    ProgressBar bar(job.output.filename().string(), snapshot.size(), job.is_quiet);
+    const Labels labels = label_particles(snapshot, radii, with_progress(job.options, bar));
+    add_labels(snapshot, labels, radii, job.command.label);
+    const WriteGuard guard;
+    write_vtkhdf(snapshot, job.output);
+    return report_of(job.output, snapshot, summary_of(job.output, snapshot, labels),
+                     job.command.label.boundary_weight);
+}
+
+FileReport label_large(const LabelJob& job, LargeState large, Ranks& ranks) {
+    note_origin(job, large.state.frame);
+    const SlabOptions slabs = {job.memory, job.command.files.folder, default_label_threshold};
+    ProgressBar bar(job.output.filename().string(),
+                    large.state.size / static_cast<std::uint64_t>(ranks.size()),
+                    job.is_quiet || ranks.rank() > 0);
+    const LabelsInFile labels =
+        label_in_slabs(large.state, with_progress(job.options, bar), slabs, ranks);
+    do_together(ranks, [&] {
+        if (ranks.rank() == 0)
+            write_large(large, labels, job.command.label, job.output);
+    });
+    FileReport report =
+        report_of(job.output, large.state.frame, summary_of(job.output, large.state, labels),
+                  job.command.label.boundary_weight);
+    std::vector<std::uint64_t> halo = {labels.halo, labels.bytes_exchanged};
+    ranks.sum(halo);
+    std::vector<double> peak = {static_cast<double>(peak_memory())};
+    ranks.max(peak);
+    report.text += fmt::format(
+        "    in {} slabs; {} particles twice, as neighbors of others; at most {:.0f} MiB of memory",
+        labels.slabs, halo[0], peak[0] / 0x1p20);
+    if (ranks.size() > 1)
+        report.text += fmt::format("; {} ranks exchanged {:.1f} MiB", ranks.size(),
+                                   static_cast<double>(halo[1]) / 0x1p20);
+    report.text += "\n";
+    return report;
+}
+
+/// A file that is worked on beside others, with one thread, gets its share of the memory.
+LargeStateOptions memory_options(const LabelCommand& command, int threads) {
+    const int beside = threads == 1 ? thread_count(command.label.threads) : 1;
+    return {command.memory / static_cast<std::uint64_t>(beside), command.input,
+            command.no_boundary};
+}
+
+/// Labels one of the command's files, which are files and no patterns any more; a state that is too
+/// large together with the other ranks, each of which calls this then.
 FileReport label_file(const Path& input, const Path& output, const Boundary& boundary, int threads,
-                      const LabelCommand& command) {
-    const std::string request =
-        request_of("label", input, command.input, boundary, request_words(command));
-    const auto earlier = earlier_output(output, "uncovered_fraction");
+                      const LabelCommand& command, Ranks& ranks) {
+    std::string request;
+    std::optional<Snapshot> earlier;
+    std::optional<LargeState> large;
+    do_together(ranks, [&] {
+        request = request_of("label", input, command.input, boundary, request_words(command));
+        earlier = earlier_output(output, "uncovered_fraction");
+        if (!is_up_to_date(earlier, request))
+            large = large_state(input, boundary, memory_options(command, threads), command.label);
+    });
     if (is_up_to_date(earlier, request))
         return {{}, printable(output.string()) + ": up to date\n", true, {}};
-    Snapshot snapshot = read_to_label(input, boundary, command);
-    const SupportRadii radii = support_radii(snapshot);
-    set_input_provenance(snapshot, input);
-    if (!command.files.overwrite)
-        check_made_from_same(output, earlier, snapshot);
     LabelOptions options = command.label;
     options.threads = threads;
     const bool is_alone = command.files.inputs.size() == 1 || threads != 1;
-    ProgressBar bar(output.filename().string(), snapshot.size(), command.quiet || !is_alone);
-    options.progress = [&](std::size_t done) { bar.show(done); };
-    const Labels labels = label_particles(snapshot, radii, options);
-    add_labels(snapshot, labels, radii, command.label);
-    snapshot.provenance["request"] = request;
-    const WriteGuard guard;
-    write_vtkhdf(snapshot, output);
-    return report_of(output, snapshot, labels, command.label.boundary_weight);
+    const LabelJob job = {input,
+                          output,
+                          boundary,
+                          command,
+                          options,
+                          request,
+                          earlier,
+                          command.quiet || !is_alone,
+                          memory_options(command, threads).memory};
+    return large ? label_large(job, *large, ranks) : label_in_one_pass(job);
 }
 
 /// Refuses what no sampling scheme is called.
@@ -187,15 +298,25 @@ std::vector<Path> run_label(const LabelCommand& asked) {
         check_can_be_written(*command.report);
         check_is_not_an_input(*command.report, files.inputs);
     }
-    const FileBatch batch = {
+    FileBatch batch = {
         "labelling",           "labelled",    {"particles", "surface", "more than 2 % uncovered"},
         command.label.threads, command.quiet, command.keep_going};
-    write_for_each_file(files.inputs, outputs, batch, [&](std::size_t f, int threads) {
+    const auto label_one = [&](std::size_t f, int threads, Ranks& ranks) {
         return naming_file(files.inputs[f], [&] {
-            return label_file(files.inputs[f], outputs[f], boundary, threads, command);
+            return label_file(files.inputs[f], outputs[f], boundary, threads, command, ranks);
         });
+    };
+    batch.is_shared = [&](std::size_t f) {
+        return large_state(files.inputs[f], boundary, memory_options(command, 0), command.label)
+            .has_value();
+    };
+    batch.work_together = [&](std::size_t f) {
+        return label_one(f, command.label.threads, ranks_of_program());
+    };
+    write_for_each_file(files.inputs, outputs, batch, [&](std::size_t f, int threads) {
+        return label_one(f, threads, one_process());
     });
-    if (command.report)
+    if (command.report && !is_other_rank())
         write_report(*command.report, report_page(outputs, {{}, {}, command.label.threads}));
     return outputs;
 }
@@ -286,6 +407,9 @@ void add_label(CLI::App& command) {
         "--skip-invalid", options->label.skip_invalid,
         "Leave particles out, with valid = 0, whose position is not finite or lies too far "
         "out for its number type");
+    add_memory_option(*verb, options->memory,
+                      "States that would take more are labelled in slabs, with the same result; "
+                      "for the project's own files");
     verb->add_option("--report", options->report,
                      "Page of HTML to write: the states and what covers each particle, to look at "
                      "in any browser");

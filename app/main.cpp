@@ -5,21 +5,34 @@
 #include "threads.hpp"
 #include "usage.hpp"
 
+#include <meniscus/app/ranks/ranks_of_program.hpp>
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/runtime/version.hpp>
 
 #include <cstdio>
 #include <new>
+#include <string>
 
 namespace {
 
+/// Of several ranks only the first says what failed, and how the program ends.
 int fail(int status, const std::string& message) {
+    if (meniscus::is_other_rank())
+        return 0;
     meniscus::print_error_line(message);
     return status;
 }
 
+/// Several processes share the files of these verbs.
+bool shares_files(const std::string& verb) {
+    return verb == "label" || verb == "classify" || verb == "train" || verb == "audit";
+}
+
 int run(CLI::App& command, int argument_count, char** arguments) {
     try {
+        const std::string verb = argument_count > 1 ? arguments[1] : "";
+        if (meniscus::ranks_of_program().size() > 1 && !shares_files(verb))
+            return fail(2, verb + " works in one process; start it without mpirun");
         command.parse(argument_count, arguments);
         if (command.get_subcommands().empty())
             return fail(2, "a verb is missing (see meniscus --help)");
@@ -81,7 +94,9 @@ int main(int argument_count, char** arguments) {
 #endif
         for (CLI::App* verb : command.get_subcommands({}))
             verb->group("Verbs");
-        return run(command, argument_count, arguments);
+        const int status = run(command, argument_count, arguments);
+        meniscus::end_ranks();
+        return status;
     } catch (const std::exception& error) { // what run() itself cannot report
         std::fprintf(stderr, "meniscus: %s\n", error.what());
         return 3;

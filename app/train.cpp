@@ -1,14 +1,19 @@
 // meniscus train: the line, from labelled snapshots.
 #include "input_files.hpp"
+#include "large_states.hpp"
 #include "usage.hpp"
 
+#include <meniscus/app/ranks/ranks_of_program.hpp>
 #include <meniscus/classifier/objectives/objectives.hpp>
 #include <meniscus/classifier/objectives/pair_search.hpp>
 #include <meniscus/classifier/objectives/scene_errors.hpp>
 #include <meniscus/classifier/objectives/trainer.hpp>
 #include <meniscus/classifier/training_set/labelled_state.hpp>
+#include <meniscus/data/formats/vtkhdf.hpp>
 #include <meniscus/data/particles/feature_names.hpp>
+#include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/files.hpp>
+#include <meniscus/data/text/text.hpp>
 
 #include <fmt/format.h>
 #include <memory>
@@ -24,6 +29,7 @@ struct TrainCommand {
     std::vector<std::string> features;        ///< empty: those of keep_k, else the paper's
     std::vector<std::string> second_features; ///< empty: one line
     TrainingOptions training;
+    std::uint64_t memory = 0; ///< bytes; files that take more are visited one by one; 0: no limit
     bool quiet = false;
 };
 
@@ -62,24 +68,85 @@ FeaturePair searched_features(const TrainCommand& command, const Model* first) {
     return results.front().features;
 }
 
+/// A model and its errors on the files it was trained on.
+struct Trained {
+    Model model;
+    std::vector<SceneErrors> errors;
+};
+
+Trained train_in_memory(const TrainCommand& command) {
+    const auto states =
+        read_states(command, command.features == search ? searched_features(command, nullptr)
+                                                        : first_features(command));
+    Trained trained;
+    trained.model = train(states, command.training);
+    trained.errors = count_errors(states, trained.model.line, trained.model.label_threshold);
+    if (!command.second_features.empty()) {
+        auto others = read_states(command, command.second_features == search
+                                               ? searched_features(command, &trained.model)
+                                               : feature_pair(command.second_features));
+        trained.errors = add_second_line(trained.model, states, std::move(others));
+    }
+    return trained;
+}
+
+/// The same, to the bit, with files that are read anew at every visit.
+Trained train_on_visits(const TrainCommand& command, Ranks& ranks) {
+    if (command.features == search || !command.second_features.empty())
+        throw InputError("--features search and --second-features need all files in the memory of "
+                         "one process; leave them out, or --memory and mpirun");
+    const Campaign campaign = campaign_of(command.inputs, command.scene, first_features(command),
+                                          command.training.label_threshold, ranks);
+    Trained trained;
+    trained.model = train(campaign, command.training);
+    trained.errors = count_errors(campaign, trained.model.line, trained.model.label_threshold);
+    return trained;
+}
+
+/// Bytes that a particle takes in a snapshot.
+std::uint64_t bytes_a_particle(const Snapshot& outline) {
+    std::uint64_t bytes = sizeof(Positions::value_type);
+    for (const PointArray& array : outline.point_data)
+        bytes += static_cast<std::uint64_t>(array.components) *
+                 std::visit([](const auto& values) { return sizeof values[0]; }, array.values);
+    return bytes;
+}
+
+/// Whether the files are more than may be in memory at a time. Throws InputError where one alone
+/// is.
+bool exceeds_memory(const TrainCommand& command) {
+    if (command.memory == 0)
+        return false;
+    constexpr std::uint64_t own_memory = std::uint64_t{36} << 20; // and the bins
+    constexpr std::uint64_t kept = 32; // bytes a particle, of LabelledState
+    std::uint64_t all = own_memory;
+    for (const Path& input : command.inputs) {
+        const Snapshot outline = naming_file(input, [&] { return read_vtkhdf_outline(input); });
+        const std::uint64_t one =
+            own_memory + outline.particles_in_file * (kept + bytes_a_particle(outline));
+        if (one > command.memory)
+            throw InputError(fmt::format("{}: reading it takes about {} MiB, more than --memory "
+                                         "allows; files are read one by one, but whole",
+                                         input.string(), (one >> 20) + 1));
+        all += outline.particles_in_file * kept;
+    }
+    return all > command.memory;
+}
+
 void run_train(TrainCommand& command) {
+    Ranks& ranks = ranks_of_program();
     command.inputs = input_files(command.inputs);
     check_is_not_an_input(command.output, command.inputs);
     check_is_not_an_input(command.output, {command.keep_k});
     check_can_be_written(command.output);
+    check_label_threshold(command.training.label_threshold);
     if (!command.keep_k.empty())
         command.training.keep_k = read_model(command.keep_k);
-    const auto states =
-        read_states(command, command.features == search ? searched_features(command, nullptr)
-                                                        : first_features(command));
-    Model model = train(states, command.training);
-    std::vector<SceneErrors> errors = count_errors(states, model.line, model.label_threshold);
-    if (!command.second_features.empty()) {
-        auto others = read_states(command, command.second_features == search
-                                               ? searched_features(command, &model)
-                                               : feature_pair(command.second_features));
-        errors = add_second_line(model, states, std::move(others));
-    }
+    const auto [model, errors] = ranks.size() > 1 || exceeds_memory(command)
+                                     ? train_on_visits(command, ranks)
+                                     : train_in_memory(command);
+    if (ranks.rank() > 0)
+        return;
     {
         const WriteGuard guard;
         write_whole(command.output, model_to_json(model));
@@ -153,6 +220,9 @@ void add_train(CLI::App& command) {
     verb->add_option("--seed", options->training.seed, "Seed of network's weights and batches")
         ->check(whole_numbers())
         ->capture_default_str();
+    add_memory_option(*verb, options->memory,
+                      "Files that are more together are read one by one, several times, with the "
+                      "same line");
     add_quiet_option(*verb, options->quiet);
     add_examples(
         *verb,

@@ -45,10 +45,10 @@ struct Work {
     std::vector<double> masses;    ///< or empty
     std::vector<std::int64_t> ids; ///< or empty
     std::optional<NeighborGrid> grid;
-    std::optional<NeighborGrid> boundary; ///< where there is one
-    double spacing_ratio = 0;             ///< measured_spacing_ratio()
-    BoundaryWeights boundary_weights;     ///< where they count in features
-    double boundary_share = 0;            ///< of these weights
+    std::optional<PreparedBoundary> own_boundary;
+    const PreparedBoundary* boundary = nullptr; ///< where there is one
+    double spacing_ratio = 0;                   ///< measured_spacing_ratio()
+    double boundary_share = 0;                  ///< of its weights
     LabelMethod method = LabelMethod::exact;
     std::vector<std::size_t> features; ///< beside the paper's
     DirectionBlocks table;             ///< empty where each particle draws its own directions
@@ -74,25 +74,9 @@ struct Workspace {
     }
 };
 
-void sort_particles(Work& work, const Snapshot& snapshot, const LabelOptions& options) {
-    const auto phases = integer_values(snapshot, "phase", work.valid);
-    work.grid.emplace(snapshot.positions, work.radii,
-                      NeighborFilter{&work.valid, phases.empty() ? nullptr : &phases},
-                      options.threads);
-    if (snapshot.boundary.empty())
-        return;
-    check_boundary(snapshot);
-    work.boundary.emplace(snapshot.boundary, work.radii.min, NeighborFilter{}, options.threads);
-    work.boundary_share = options.boundary_weight;
-    if (options.boundary_weight > 0)
-        work.boundary_weights =
-            boundary_weights(snapshot, work.radii, work.valid, work.spacing_ratio, options.threads);
-}
-
-Work prepare_work(const Snapshot& snapshot, const SupportRadii& radii,
-                  const LabelOptions& options) {
-    check_options(options);
-    Work work;
+/// What the options say, and what the particles hold beside their positions; `work.valid` is set.
+void set_common(Work& work, const Snapshot& snapshot, const SupportRadii& radii,
+                const LabelOptions& options) {
     work.radii = radii;
     work.samples = options.samples;
     work.seed = options.seed;
@@ -101,12 +85,13 @@ Work prepare_work(const Snapshot& snapshot, const SupportRadii& radii,
     work.features = options.features;
     work.range = neighbor_range<double>(radii.vary() ? 1 : radii.max, options.radius_ratio);
     work.radius_ratio = options.radius_ratio;
-    work.valid = checked_positions(snapshot, radii, options.skip_invalid);
+    work.boundary_share = options.boundary_weight;
     work.masses = checked_masses(snapshot, work.valid);
-    work.spacing_ratio = measured_spacing_ratio(snapshot, work.radii, work.valid, options.threads);
-    sort_particles(work, snapshot, options);
+}
+
+void set_directions(Work& work, const Snapshot& snapshot, const LabelOptions& options) {
     if (options.method != LabelMethod::monte_carlo)
-        return work;
+        return;
     work.ids = integer_values(snapshot, "id", work.valid);
     work.scheme = sampling_scheme(options.scheme);
     if (!work.scheme.per_particle) {
@@ -114,7 +99,41 @@ Work prepare_work(const Snapshot& snapshot, const SupportRadii& radii,
         work.scheme.fill(work.dimension, work.seed, 0, directions);
         work.table = compact_blocks(std::move(directions));
     }
-    return work;
+}
+
+/// Work points to the boundary that it holds, so that it stays where it is.
+void prepare_work(Work& work, const Snapshot& snapshot, const SupportRadii& radii,
+                  const LabelOptions& options) {
+    check_options(options);
+    work.valid = checked_positions(snapshot, radii, options.skip_invalid);
+    set_common(work, snapshot, radii, options);
+    work.spacing_ratio = measured_spacing_ratio(snapshot, work.radii, work.valid, options.threads);
+    const auto phases = integer_values(snapshot, "phase", work.valid);
+    work.grid.emplace(snapshot.positions, work.radii,
+                      NeighborFilter{&work.valid, phases.empty() ? nullptr : &phases},
+                      options.threads);
+    if (!snapshot.boundary.empty()) {
+        work.own_boundary.emplace(
+            prepared_boundary(snapshot, radii, work.valid, work.spacing_ratio, options));
+        work.boundary = &*work.own_boundary;
+    }
+    set_directions(work, snapshot, options);
+}
+
+void prepare_work(Work& work, const Snapshot& snapshot, const StatePart& part, double radius,
+                  const LabelOptions& options) {
+    check_options(options);
+    work.valid.assign(snapshot.size(), 1);
+    set_common(work, snapshot, radius, options);
+    work.spacing_ratio = part.spacing_ratio;
+    const auto phases = integer_values(snapshot, "phase", work.valid);
+    work.grid.emplace(snapshot.positions, part.layout,
+                      NeighborFilter{&work.valid, phases.empty() ? nullptr : &phases},
+                      options.threads);
+    work.boundary = part.boundary;
+    set_directions(work, snapshot, options);
+    if (work.ids.empty())
+        work.ids.assign(part.numbers.begin(), part.numbers.end());
 }
 
 double mass_of(const Work& work, std::size_t particle) {
@@ -184,17 +203,17 @@ void gather(const Work& work, std::size_t place, std::size_t i, const Direction&
         count_for_features<Dimension>(work, displacement, mass, i, j, radii, workspace);
         cover(displacement, j);
     }
-    if (work.boundary) {
+    if (work.boundary != nullptr) {
         const double mean_mass = sum.count == 0 ? 1 : sum.mean_mass();
-        work.boundary->find_around(center, work.radii.of(i), found);
+        work.boundary->grid.find_around(center, work.radii.of(i), found);
         for (std::size_t n = 0; n < found.size(); ++n) {
             const Direction& displacement = found.displacements[n];
             cover(displacement, i);
-            if (work.boundary_weights.at_radius.empty())
+            if (work.boundary->weights.at_radius.empty())
                 continue;
             const double weight =
                 work.boundary_share *
-                work.boundary_weights.of(found.particles[n], work.radii.of(i), Dimension);
+                work.boundary->weights.of(found.particles[n], work.radii.of(i), Dimension);
             if constexpr (Radii::varies) {
                 const Direction scaled = in_radii(displacement, radii.inverse_of_pair(i, i));
                 sum.add_boundary(scaled, squared_length<double, Dimension>(scaled), weight,
@@ -297,27 +316,57 @@ void remove_other_features(Snapshot& snapshot) {
                  arrays.end());
 }
 
-} // namespace
-
-Labels label_particles(const Snapshot& snapshot, const SupportRadii& radii,
-                       const LabelOptions& options) {
-    const Work work = prepare_work(snapshot, radii, options);
-    const std::size_t count = snapshot.size();
+Labels empty_labels(const Work& work, std::size_t count) {
     Labels labels;
     labels.uncovered_fraction.assign(count, 0);
     labels.surface.assign(count, 0);
     labels.valid = work.valid;
     labels.spacing_ratio = work.spacing_ratio;
-    if (auto doubt = doubtful_positions(snapshot, radii, work.valid); !doubt.empty())
-        labels.warnings.push_back(std::move(doubt));
     labels.mass_offset.assign(count, 0);
     labels.neighbor_count.assign(count, 0);
     labels.features.assign(work.features.size(), std::vector<double>(count, 0));
+    return labels;
+}
+
+} // namespace
+
+PreparedBoundary prepared_boundary(const Snapshot& snapshot, const SupportRadii& radii,
+                                   const std::vector<std::uint8_t>& valid, double spacing_ratio,
+                                   const LabelOptions& options) {
+    check_boundary(snapshot);
+    PreparedBoundary boundary{
+        NeighborGrid(snapshot.boundary, radii.min, NeighborFilter{}, options.threads), {}};
+    if (options.boundary_weight > 0)
+        boundary.weights = boundary_weights(snapshot, radii, valid, spacing_ratio, options.threads);
+    return boundary;
+}
+
+Labels label_particles(const Snapshot& snapshot, const SupportRadii& radii,
+                       const LabelOptions& options) {
+    Work work;
+    prepare_work(work, snapshot, radii, options);
+    Labels labels = empty_labels(work, snapshot.size());
+    if (auto doubt = doubtful_positions(snapshot, radii, work.valid); !doubt.empty())
+        labels.warnings.push_back(std::move(doubt));
     // In the grid's order, where the neighbors of one particle are those of the next.
     for_all_particles(work.grid->size(), options,
                       [&](std::size_t begin, std::size_t end, Workspace& workspace) {
                           for (std::size_t place = begin; place < end; ++place)
                               label_particle(work, snapshot, place, workspace, labels);
+                      });
+    return labels;
+}
+
+Labels label_part(const Snapshot& snapshot, const StatePart& part, double radius,
+                  const LabelOptions& options) {
+    Work work;
+    prepare_work(work, snapshot, part, radius, options);
+    Labels labels = empty_labels(work, snapshot.size());
+    for_all_particles(work.grid->size(), options,
+                      [&](std::size_t begin, std::size_t end, Workspace& workspace) {
+                          for (std::size_t place = begin; place < end; ++place)
+                              if (part.own[work.grid->particle(place)] != 0)
+                                  label_particle(work, snapshot, place, workspace, labels);
                       });
     return labels;
 }
@@ -369,7 +418,7 @@ void add_labels(Snapshot& snapshot, const Labels& labels, const SupportRadii& ra
     set_array(snapshot, {"surface", 1, stored_classes(labels.surface)});
     set_array(snapshot, {"valid", 1, stored_classes(labels.valid)});
     set_array(snapshot, {"mass_offset", 1, labels.mass_offset});
-    if (radii.vary() || (options.boundary_weight > 0 && !snapshot.boundary.empty()))
+    if (has_real_counts(snapshot, radii, options))
         set_array(snapshot, {"neighbor_count", 1, labels.neighbor_count});
     else
         set_array(snapshot, {"neighbor_count", 1,
@@ -381,6 +430,11 @@ void add_labels(Snapshot& snapshot, const Labels& labels, const SupportRadii& ra
     set_label_provenance(snapshot, radii, options);
     if (!radii.vary() && !snapshot.particle_volume)
         snapshot.particle_volume = std::pow(radii.max / labels.spacing_ratio, snapshot.dimension);
+}
+
+bool has_real_counts(const Snapshot& snapshot, const SupportRadii& radii,
+                     const LabelOptions& options) {
+    return radii.vary() || (options.boundary_weight > 0 && !snapshot.boundary.empty());
 }
 
 double mean_neighbor_count(const Labels& labels) {

@@ -4,6 +4,7 @@
 // where lambda > 0 (2020 paper, sections 3.1 and 3.2). In two dimensions spheres are circles.
 #pragma once
 
+#include <meniscus/data/particles/neighbor_search.hpp>
 #include <meniscus/data/particles/particle_volumes.hpp>
 #include <meniscus/data/particles/snapshot.hpp>
 #include <meniscus/data/particles/support_radii.hpp>
@@ -64,12 +65,43 @@ struct Labels {
 Labels label_particles(const Snapshot& snapshot, const SupportRadii& radii,
                        const LabelOptions& options);
 
+/// Boundary particles made ready for all parts of a state.
+struct PreparedBoundary {
+    NeighborGrid grid;
+    BoundaryWeights weights; ///< none where they count in no feature
+};
+
+/// The boundary of a snapshot, which must have one, for fluid particles with this support radius
+/// (m) and spacing ratio. Throws InputError as label_particles does.
+PreparedBoundary prepared_boundary(const Snapshot& snapshot, const SupportRadii& radii,
+                                   const std::vector<std::uint8_t>& valid, double spacing_ratio,
+                                   const LabelOptions& options);
+
+/// What a part of a state takes over from the whole, which has one support radius, so that its
+/// particles get the labels that they have there.
+struct StatePart {
+    GridLayout layout;
+    double spacing_ratio = 1;                   ///< measured_spacing_ratio() of the whole
+    const PreparedBoundary* boundary = nullptr; ///< where there is one
+    std::vector<std::uint8_t> own;              ///< 0: is there for its neighbors alone
+    std::vector<std::uint64_t> numbers;         ///< of the particles in the whole, ascending
+};
+
+/// Labels the own particles of a part, which must be valid and have around them all that are closer
+/// than their radius (m). The part's `boundary` is not looked at. Throws as label_particles does.
+Labels label_part(const Snapshot& snapshot, const StatePart& part, double radius,
+                  const LabelOptions& options);
+
 /// Adds the labels as point data (uncovered_fraction, surface, valid, mass_offset, neighbor_count,
 /// other features by their names), the radii as the snapshot's own, the volume of a particle where
 /// it had to be measured, and set_label_provenance. What
 /// an earlier labelling stored of features that are not asked for now is gone.
 void add_labels(Snapshot& snapshot, const Labels& labels, const SupportRadii& radii,
                 const LabelOptions& options);
+
+/// Whether the file's neighbor counts are real numbers: radii vary, or a boundary counts.
+bool has_real_counts(const Snapshot& snapshot, const SupportRadii& radii,
+                     const LabelOptions& options);
 
 /// Says in the provenance how the labels are made with these options: program, method, with Monte
 /// Carlo samples, scheme and seed, radius_ratio, support_radius (smallest to largest where they

@@ -1,12 +1,16 @@
 #include "neyman_pearson.hpp"
 
+#include "detail/best_slope.hpp"
 #include "shift.hpp"
 
+#include <meniscus/data/ranks/packing.hpp>
 #include <meniscus/data/text/errors.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <string>
 
 namespace meniscus {
 namespace {
@@ -19,26 +23,22 @@ struct Point {
 
 /// The plane, or a reflection of it, so that surface lies below a line of slope 0 to max_slope.
 struct Plane {
-    const std::vector<LabelledState>& states;
+    const Campaign& campaign;
     double label_threshold;
     double x_sign;
     double y_sign;
+    FeaturePair features;
     double max_slope;
     double x_margin; ///< bounds of what float adds to a feature
     double y_margin;
 
-    Plane(const std::vector<LabelledState>& all, double threshold, double sign_of_x,
-          double sign_of_y)
-        : states(all), label_threshold(threshold), x_sign(sign_of_x), y_sign(sign_of_y),
-          max_slope(meniscus::max_slope(all.front().features)), x_margin(x_feature().float_error),
-          y_margin(y_feature().float_error) {}
+    Plane(const Campaign& all, double threshold, double sign_of_x, double sign_of_y)
+        : campaign(all), label_threshold(threshold), x_sign(sign_of_x), y_sign(sign_of_y),
+          features(all.heads.front().state.features), max_slope(meniscus::max_slope(features)),
+          x_margin(x_feature().float_error), y_margin(y_feature().float_error) {}
 
-    [[nodiscard]] const FeatureRow& x_feature() const {
-        return feature_list[states.front().features.first];
-    }
-    [[nodiscard]] const FeatureRow& y_feature() const {
-        return feature_list[states.front().features.second];
-    }
+    [[nodiscard]] const FeatureRow& x_feature() const { return feature_list[features.first]; }
+    [[nodiscard]] const FeatureRow& y_feature() const { return feature_list[features.second]; }
     [[nodiscard]] Point point(const LabelledState& state, std::size_t i) const {
         return {x_sign * state.x(i), y_sign * state.y(i)};
     }
@@ -56,20 +56,11 @@ struct Hull {
     std::vector<double> constants; ///< y - k x of the line at turns[j]
 };
 
-/// The surface particles with neighbors, y falling, x rising where y is the same.
-std::vector<Point> surface_points(const Plane& plane) {
-    std::vector<Point> points;
-    for (const LabelledState& state : plane.states)
-        for (std::size_t i = 0; i < state.size(); ++i)
-            if (plane.is_surface(state, i) && state.concerns_line(i))
-                points.push_back(plane.point(state, i));
-    if (points.empty())
-        throw InputError("no surface particle has neighbors, so nothing holds the line; give other "
-                         "files or a lower --label-threshold");
+/// y falling, x rising where y is the same.
+void sort_points(std::vector<Point>& points) {
     std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) {
         return a.y > b.y || (a.y == b.y && a.x < b.x);
     });
-    return points;
 }
 
 /// Slope at which lines of equal height through both points coincide; b lies left of a and below.
@@ -77,8 +68,8 @@ double turning_slope(const Point& a, const Point& b) {
     return (a.y - b.y) / (a.x - b.x);
 }
 
-/// `points` as surface_points() has them.
-Hull upper_hull(const std::vector<Point>& points, double max_slope) {
+/// The hull of sorted points, whatever the slope.
+Hull whole_hull(const std::vector<Point>& points) {
     Hull hull;
     for (const Point& point : points) {
         if (!hull.vertices.empty() && point.x >= hull.vertices.back().x)
@@ -92,6 +83,12 @@ Hull upper_hull(const std::vector<Point>& points, double max_slope) {
             hull.turns.push_back(turning_slope(hull.vertices.back(), point));
         hull.vertices.push_back(point);
     }
+    return hull;
+}
+
+/// The same up to a slope.
+Hull upper_hull(const std::vector<Point>& points, double max_slope) {
+    Hull hull = whole_hull(points);
     while (!hull.turns.empty() && hull.turns.back() >= max_slope) {
         hull.vertices.pop_back();
         hull.turns.pop_back();
@@ -150,38 +147,68 @@ SlopeInterval told_apart(const Plane& plane, const Hull& hull, const Point& part
     return interval;
 }
 
-/// A slope at which a particle begins (positive weight) or ceases to be told apart.
-struct Event {
-    double k;
-    std::int64_t weight;
+/// What the surface particles are to a line: their hull, and how far they reach.
+struct SurfacePart {
+    std::vector<Point> points; ///< vertices of the hulls of all states
+    double reach_x = 0;        ///< largest |x|
+    double reach_y = 0;
 };
 
-struct Sweep {
-    std::vector<Event> events;
-    std::int64_t weight_at_zero = 0; ///< of the particles that are told apart at k = 0
-};
+/// The hull of all is that of the hulls of each, so that no more than these is kept.
+SurfacePart surface_part(const Plane& plane) {
+    SurfacePart part;
+    std::vector<double> vertices; // x and y of each
+    plane.campaign.visit([&](std::size_t /*place*/, const LabelledState& state) {
+        std::vector<Point> points;
+        for (std::size_t i = 0; i < state.size(); ++i)
+            if (plane.is_surface(state, i) && state.concerns_line(i)) {
+                points.push_back(plane.point(state, i));
+                part.reach_x = std::max(part.reach_x, std::abs(points.back().x));
+                part.reach_y = std::max(part.reach_y, std::abs(points.back().y));
+            }
+        sort_points(points);
+        for (const Point& vertex : whole_hull(points).vertices)
+            vertices.insert(vertices.end(), {vertex.x, vertex.y});
+    });
+    Ranks& ranks = *plane.campaign.ranks;
+    for (const std::string& said : gather(ranks, packed(vertices))) {
+        const auto all = unpacked<std::vector<double>>(said);
+        for (std::size_t n = 0; n < all.size(); n += 2)
+            part.points.push_back({all[n], all[n + 1]});
+    }
+    if (part.points.empty())
+        throw InputError("no surface particle has neighbors, so nothing holds the line; give other "
+                         "files or a lower --label-threshold");
+    sort_points(part.points);
+    std::vector<double> reach = {part.reach_x, part.reach_y};
+    ranks.max(reach);
+    part.reach_x = reach[0];
+    part.reach_y = reach[1];
+    return part;
+}
 
 /// What a particle of each state weighs, in units so small that the weights of all particles of all
 /// scenes fit an integer: then the sum is the same in every order.
-std::vector<std::int64_t> particle_weights(const std::vector<LabelledState>& states) {
-    const SceneGroups groups = group_by_scene(states);
+std::vector<std::int64_t> particle_weights(const Campaign& campaign) {
+    const SceneGroups groups = group_by_scene(campaign.states());
     std::vector<double> particles(groups.names.size());
-    for (std::size_t s = 0; s < states.size(); ++s)
-        particles[groups.of_state[s]] += static_cast<double>(states[s].size());
+    for (std::size_t s = 0; s < campaign.heads.size(); ++s)
+        particles[groups.of_state[s]] += static_cast<double>(campaign.heads[s].particles);
     const double scene_weight = std::ldexp(1.0, 62) / static_cast<double>(groups.names.size());
     std::vector<std::int64_t> weights;
-    for (std::size_t s = 0; s < states.size(); ++s)
+    for (std::size_t s = 0; s < campaign.heads.size(); ++s)
         weights.push_back(
             std::llround(scene_weight / std::max(1.0, particles[groups.of_state[s]])));
     return weights;
 }
 
+/// Visits the slopes at which this rank's interior particles begin (positive weight) or cease to be
+/// told apart. Returns the weight of those that are told apart at slope 0.
 /// `weights`: of a particle of each state.
-Sweep collect_events(const Plane& plane, const std::vector<std::int64_t>& weights,
-                     const Hull& hull) {
-    Sweep sweep;
-    for (std::size_t s = 0; s < plane.states.size(); ++s) {
-        const LabelledState& state = plane.states[s];
+std::int64_t visit_events(const Plane& plane, const std::vector<std::int64_t>& weights,
+                          const Hull& hull, const std::function<void(const SlopeEvent&)>& visit) {
+    std::int64_t weight_at_zero = 0;
+    plane.campaign.visit([&](std::size_t place, const LabelledState& state) {
         for (std::size_t i = 0; i < state.size(); ++i) {
             if (plane.is_surface(state, i) || !state.concerns_line(i))
                 continue;
@@ -189,62 +216,37 @@ Sweep collect_events(const Plane& plane, const std::vector<std::int64_t>& weight
             if (interval.begin >= interval.end)
                 continue;
             if (interval.begin == 0)
-                sweep.weight_at_zero += weights[s];
+                weight_at_zero += weights[place];
             else
-                sweep.events.push_back({interval.begin, weights[s]});
+                visit({interval.begin, weights[place]});
             if (interval.end < plane.max_slope)
-                sweep.events.push_back({interval.end, -weights[s]});
+                visit({interval.end, -weights[place]});
         }
-    }
-    return sweep;
+    });
+    return weight_at_zero;
 }
 
-/// A slope in the middle of the widest of the best intervals between events.
-struct Choice {
-    std::int64_t weight = -1; ///< told apart
-    double begin = 0;         ///< of the interval, as an angle
-    double width = 0;
-
-    [[nodiscard]] double slope(double unit) const { return std::tan(begin + width / 2) * unit; }
-};
-
-Choice best_slope(Sweep& sweep, double max_slope, double slope_unit) {
-    // Between events closer than this, rounding decides which particles are told apart.
-    constexpr double narrowest = 1e-10;
-    auto& events = sweep.events;
-    std::sort(events.begin(), events.end(),
-              [](const Event& a, const Event& b) { return a.k < b.k; });
-    std::int64_t weight = sweep.weight_at_zero;
-    Choice best;
-    double begin = 0;
-    for (std::size_t e = 0; e <= events.size(); ++e) {
-        const double end = std::atan((e < events.size() ? events[e].k : max_slope) / slope_unit);
-        const double width = end - begin;
-        if (width > narrowest &&
-            (weight > best.weight || (weight == best.weight && width > best.width)))
-            best = {weight, begin, width};
-        begin = end;
-        if (e < events.size())
-            weight += events[e].weight;
-    }
-    return best;
+/// The best slope in one plane.
+SlopeChoice choose_slope(const Plane& plane, const std::vector<std::int64_t>& weights,
+                         const Hull& hull, double unit) {
+    return best_slope(
+        [&](const std::function<void(const SlopeEvent&)>& visit) {
+            return visit_events(plane, weights, hull, visit);
+        },
+        plane.max_slope, unit, *plane.campaign.ranks);
 }
 
 /// What a feature spans: one where it is a fraction, else as far as the surface particles reach.
-double span(const FeatureRow& feature, const std::vector<Point>& points, double Point::*member) {
+double span(const FeatureRow& feature, double reach) {
     if (feature.is_fraction)
         return 1;
-    double max = 0;
-    for (const Point& point : points)
-        max = std::max(max, std::abs(point.*member));
-    return max > 0 ? max : 1;
+    return reach > 0 ? reach : 1;
 }
 
-void check_interior(const std::vector<LabelledState>& states, double label_threshold) {
-    for (const LabelledState& state : states)
-        for (const double lambda : state.uncovered_fraction)
-            if (lambda <= label_threshold)
-                return;
+void check_interior(const Campaign& campaign) {
+    for (const StateHead& head : campaign.heads)
+        if (head.surface < head.particles)
+            return;
     throw InputError("no interior particle to train on; give other files or a higher "
                      "--label-threshold");
 }
@@ -255,22 +257,21 @@ double max_slope(const FeaturePair& features) {
     return 1 / feature_list[features.first].float_error;
 }
 
-Line min_false_positives(const std::vector<LabelledState>& states, double label_threshold) {
-    const bool any_side = !is_of_paper(states.front().features);
-    const auto weights = particle_weights(states);
-    Choice best;
+Line best_line(const Campaign& campaign, double label_threshold) {
+    const bool any_side = !is_of_paper(campaign.heads.front().state.features);
+    const auto weights = particle_weights(campaign);
+    SlopeChoice best;
     double k = 0;
     bool above = false;
     for (const auto [x_sign, y_sign] :
          {std::array{1.0, 1.0}, {-1.0, 1.0}, {1.0, -1.0}, {-1.0, -1.0}}) {
-        const Plane plane(states, label_threshold, x_sign, y_sign);
-        const auto points = surface_points(plane);
-        check_interior(states, label_threshold);
-        const Hull hull = upper_hull(points, plane.max_slope);
-        Sweep sweep = collect_events(plane, weights, hull);
+        const Plane plane(campaign, label_threshold, x_sign, y_sign);
+        const SurfacePart surface = surface_part(plane);
+        check_interior(campaign);
+        const Hull hull = upper_hull(surface.points, plane.max_slope);
         const double unit =
-            span(plane.y_feature(), points, &Point::y) / span(plane.x_feature(), points, &Point::x);
-        const Choice choice = best_slope(sweep, plane.max_slope, unit);
+            span(plane.y_feature(), surface.reach_y) / span(plane.x_feature(), surface.reach_x);
+        const SlopeChoice choice = choose_slope(plane, weights, hull, unit);
         if (choice.weight > best.weight ||
             (choice.weight == best.weight && choice.width > best.width)) {
             best = choice;
@@ -280,7 +281,11 @@ Line min_false_positives(const std::vector<LabelledState>& states, double label_
         if (!any_side)
             break;
     }
-    return shift_line(states, label_threshold, k, above);
+    return shift_line(campaign, label_threshold, k, above);
+}
+
+Line min_false_positives(const std::vector<LabelledState>& states, double label_threshold) {
+    return best_line(campaign_of(states, label_threshold), label_threshold);
 }
 
 } // namespace meniscus

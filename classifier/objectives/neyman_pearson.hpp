@@ -2,8 +2,8 @@
 // slope k the best d is the one of the shift, so the line rests on a vertex of the convex hull of
 // the surface particles, and only k remains to be chosen. Each interior particle is told apart on
 // one open interval of slopes: between the two tangents from it to that hull. The best slope lies
-// where most of these intervals overlap, each weighted so that all scenes weigh the same. Sorting
-// the interval ends finds it; no descent, no grid.
+// where most of these intervals overlap, each weighted so that all scenes weigh the same.
+// Sweeping over the interval ends finds it; no descent, no grid (detail/best_slope.hpp).
 //
 // In the paper's plane surface lies below a line that rises (a particle farther off its neighbors'
 // center of mass is never less likely to be surface). In any other plane lines fall too, and
@@ -11,6 +11,7 @@
 #pragma once
 
 #include <meniscus/classifier/model/model.hpp>
+#include <meniscus/classifier/training_set/campaign.hpp>
 #include <meniscus/classifier/training_set/labelled_state.hpp>
 
 #include <vector>
@@ -23,10 +24,13 @@ double max_slope(const FeaturePair& features = {});
 
 /// The half-plane of least mean over scenes of (false positives / particles) subject to no false
 /// negative, d_margin(k) included in d. Where several slopes are equally good, the middle of the
-/// widest interval of them, by angle in a plane in which both features span about one. Takes
-/// O(particles log particles) time and 32 bytes an interior particle. States must be of one kind.
-/// Throws InputError where no surface particle has neighbors, or where there is no interior
-/// particle.
+/// widest interval of them, by angle in a plane in which both features span about one. Visits the
+/// states four times (thirteen where surface may lie on any side) and keeps some ten MiB, and the
+/// slopes near the best one. States must be of one kind. Throws InputError where no surface
+/// particle has neighbors, or where there is no interior particle; on all ranks alike.
+Line best_line(const Campaign& campaign, double label_threshold);
+
+/// The same for states in memory.
 Line min_false_positives(const std::vector<LabelledState>& states, double label_threshold);
 
 } // namespace meniscus

@@ -31,9 +31,10 @@ Line fit_network(const std::vector<LabelledState>& states, double label_threshol
 const std::vector<Objective>& objectives() {
     static const std::vector<Objective> all = {
         {"neyman-pearson", "fewest false positives without a false negative, exact", true,
-         fit_exactly},
-        {"logistic", "the paper's linear separator, shifted", false, fit_logistic},
-        {"network", "the line along a small network's boundary, shifted", false, fit_network},
+         fit_exactly, best_line},
+        {"logistic", "the paper's linear separator, shifted", false, fit_logistic, nullptr},
+        {"network", "the line along a small network's boundary, shifted", false, fit_network,
+         nullptr},
     };
     return all;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <meniscus/classifier/model/model.hpp>
+#include <meniscus/classifier/training_set/campaign.hpp>
 #include <meniscus/classifier/training_set/labelled_state.hpp>
 
 #include <cstdint>
@@ -19,6 +20,8 @@ struct Objective {
     /// hold no line, FailureError where a fit fails.
     Line (*fit)(const std::vector<LabelledState>& states, double label_threshold,
                 std::uint64_t seed);
+    /// The same line for a campaign that is not in memory; null where all must be.
+    Line (*fit_campaign)(const Campaign& campaign, double label_threshold) = nullptr;
 };
 
 const std::vector<Objective>& objectives();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <meniscus/classifier/model/model.hpp>
+#include <meniscus/classifier/training_set/campaign.hpp>
 #include <meniscus/classifier/training_set/error_counts.hpp>
 #include <meniscus/classifier/training_set/labelled_state.hpp>
 
@@ -17,6 +18,10 @@ struct SceneErrors : ErrorCounts {
 /// Applies the line to every particle (predicts_surface). One entry a scene, in order of first
 /// appearance.
 std::vector<SceneErrors> count_errors(const std::vector<LabelledState>& states, const Line& line,
+                                      double label_threshold);
+
+/// The same for a campaign: numbers of particles alone, on all ranks.
+std::vector<SceneErrors> count_errors(const Campaign& campaign, const Line& line,
                                       double label_threshold);
 
 /// What training minimizes: false positives over particles of each scene, averaged over scenes.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <meniscus/classifier/model/model.hpp>
+#include <meniscus/classifier/training_set/campaign.hpp>
 #include <meniscus/classifier/training_set/labelled_state.hpp>
 
 #include <vector>
@@ -20,6 +21,9 @@ double d_margin(double k, const FeaturePair& features = {});
 /// InputError where k is not finite or where there is no surface particle with neighbors.
 double min_d(const std::vector<LabelledState>& states, double label_threshold, double k,
              bool above = false);
+
+/// The line of slope k with min_d of a campaign's states; throws on all ranks alike.
+Line shift_line(const Campaign& campaign, double label_threshold, double k, bool above = false);
 
 /// The line of slope k with min_d.
 Line shift_line(const std::vector<LabelledState>& states, double label_threshold, double k,

@@ -29,18 +29,13 @@ std::string file_names(const std::vector<LabelledState>& states) {
                               : first + " and " + std::to_string(states.size() - 1) + " more files";
 }
 
-std::size_t surface_particles(const LabelledState& state, double label_threshold) {
-    return static_cast<std::size_t>(
-        std::count_if(state.uncovered_fraction.begin(), state.uncovered_fraction.end(),
-                      [&](double lambda) { return lambda > label_threshold; }));
-}
-
-void check_classes(const std::vector<LabelledState>& states, double label_threshold) {
+void check_classes(const Campaign& campaign, const std::vector<LabelledState>& states,
+                   double label_threshold) {
     std::size_t particles = 0;
     std::size_t surface = 0;
-    for (const LabelledState& state : states) {
-        particles += state.size();
-        surface += surface_particles(state, label_threshold);
+    for (const StateHead& head : campaign.heads) {
+        particles += head.particles;
+        surface += head.surface;
     }
     if (surface != 0 && surface != particles)
         return;
@@ -54,7 +49,9 @@ void check_classes(const std::vector<LabelledState>& states, double label_thresh
                      "); give other files or a higher --label-threshold");
 }
 
-void check_training(const std::vector<LabelledState>& states, const TrainingOptions& options) {
+/// `states`: without particles.
+void check_training(const Campaign& campaign, const std::vector<LabelledState>& states,
+                    const TrainingOptions& options) {
     if (states.empty())
         throw InputError("no labelled file to train on; give at least one");
     if (!objective_named(options.objective).any_features && !is_of_paper(states.front().features))
@@ -84,14 +81,21 @@ void check_training(const std::vector<LabelledState>& states, const TrainingOpti
                              number_text(reference_spacing_ratio) +
                              " spacings; keep one that was trained so");
     }
-    check_classes(states, options.label_threshold);
+    check_classes(campaign, states, options.label_threshold);
 }
 
-Line trained_line(const std::vector<LabelledState>& states, const TrainingOptions& options) {
+Line trained_line(const Campaign& campaign, const TrainingOptions& options) {
     if (options.keep_k)
-        return shift_line(states, options.label_threshold, options.keep_k->line.k,
+        return shift_line(campaign, options.label_threshold, options.keep_k->line.k,
                           options.keep_k->line.above);
-    return objective_named(options.objective).fit(states, options.label_threshold, options.seed);
+    const Objective& objective = objective_named(options.objective);
+    if (objective.fit_campaign != nullptr)
+        return objective.fit_campaign(campaign, options.label_threshold);
+    if (campaign.in_memory == nullptr)
+        throw InputError("objective '" + options.objective +
+                         "' needs all files in the memory of one process; train with --objective "
+                         "neyman-pearson, or without --memory and mpirun");
+    return objective.fit(*campaign.in_memory, options.label_threshold, options.seed);
 }
 
 void set_errors(Model& model, const std::vector<SceneErrors>& scenes) {
@@ -102,14 +106,15 @@ void set_errors(Model& model, const std::vector<SceneErrors>& scenes) {
     }
 }
 
-void describe_training_set(const std::vector<LabelledState>& states, Model& model) {
-    for (const LabelledState& state : states) {
-        model.training_files.push_back({state.file, state.hash, state.scene, state.size(),
-                                        surface_particles(state, model.label_threshold)});
+void describe_training_set(const Campaign& campaign, Model& model) {
+    for (const StateHead& head : campaign.heads) {
+        const LabelledState& state = head.state;
+        model.training_files.push_back(
+            {state.file, state.hash, state.scene, head.particles, head.surface});
         widen(model.spacing_ratio, state.spacing_ratio);
-        widen(model.bulk_neighbor_count, bulk_neighbor_count(state));
+        widen(model.bulk_neighbor_count, head.bulk_neighbor_count);
     }
-    set_errors(model, count_errors(states, model.line, model.label_threshold));
+    set_errors(model, count_errors(campaign, model.line, model.label_threshold));
 }
 
 /// Notes which particles of a state the model's line lets through.
@@ -135,10 +140,11 @@ void mark_candidates(const Model& model, const std::vector<LabelledState>& first
 
 } // namespace
 
-Model train(const std::vector<LabelledState>& states, const TrainingOptions& options) {
-    check_training(states, options);
+Model train(const Campaign& campaign, const TrainingOptions& options) {
+    const auto states = campaign.states();
+    check_training(campaign, states, options);
     Model model;
-    model.line = trained_line(states, options);
+    model.line = trained_line(campaign, options);
     model.features = states.front().features;
     model.dimension = states.front().dimension;
     model.radius_ratio = states.front().radius_ratio;
@@ -147,8 +153,12 @@ Model train(const std::vector<LabelledState>& states, const TrainingOptions& opt
     model.label_threshold = options.label_threshold;
     model.objective = options.keep_k ? "keep-k" : options.objective;
     model.d_margin = d_margin(model.line.k, model.features);
-    describe_training_set(states, model);
+    describe_training_set(campaign, model);
     return model;
+}
+
+Model train(const std::vector<LabelledState>& states, const TrainingOptions& options) {
+    return train(campaign_of(states, options.label_threshold), options);
 }
 
 std::vector<SceneErrors> add_second_line(Model& model, const std::vector<LabelledState>& first,

@@ -10,6 +10,7 @@
 #include "scene_errors.hpp"
 
 #include <meniscus/classifier/model/model.hpp>
+#include <meniscus/classifier/training_set/campaign.hpp>
 #include <meniscus/classifier/training_set/labelled_state.hpp>
 
 #include <cstdint>
@@ -32,6 +33,10 @@ struct TrainingOptions {
 /// option is out of range, or where the objective is not for their features; FailureError where
 /// libtorch is needed and not there, or where its fit finds no line.
 Model train(const std::vector<LabelledState>& states, const TrainingOptions& options);
+
+/// The same for a campaign, which is visited five times. Throws InputError, too, where the
+/// objective needs all states in memory and they are not; on all ranks alike.
+Model train(const Campaign& campaign, const TrainingOptions& options);
 
 /// Adds a second line for what the model's first lets through, of the features of `second`: the
 /// states that the first was trained on, in their order, with other features. It has the fewest

@@ -5,7 +5,11 @@
 
 #include <meniscus/data/particles/snapshot.hpp>
 
+#include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
 
 namespace meniscus {
 
@@ -21,8 +25,43 @@ Snapshot read_vtkhdf(const std::filesystem::path& file);
 /// which are not looked at.
 Snapshot read_vtkhdf_header(const std::filesystem::path& file);
 
+/// The same with the number of particles (particles_in_file), the number type and components of
+/// each array, which is empty, and the precision of positions. Throws as read_vtkhdf does.
+Snapshot read_vtkhdf_outline(const std::filesystem::path& file);
+
+/// Some of a file's particles.
+struct VtkhdfPart {
+    std::uint64_t first;
+    std::uint64_t count;
+    std::vector<std::string> arrays; ///< point data to read beside the positions
+    bool positions = true;           ///< without, the snapshot has arrays alone
+};
+
+/// A snapshot of these particles and arrays alone, without boundary and cells: of what read_vtkhdf
+/// gives, those from `first` on. Takes memory for these. Throws as read_vtkhdf does, and where the
+/// file has not so many.
+Snapshot read_vtkhdf_part(const std::filesystem::path& file, const VtkhdfPart& part);
+
+/// The file's boundary particles; none where it has none. Throws as read_vtkhdf does.
+Positions read_vtkhdf_boundary(const std::filesystem::path& file);
+
 /// Writes the snapshot, whole or not at all; the same snapshot gives the same bytes. Throws as
 /// write_whole does.
 void write_vtkhdf(const Snapshot& snapshot, const std::filesystem::path& file);
+
+/// A snapshot whose particles are fetched as they are written, so that memory holds some of them at
+/// a time. Fetching must always give the same values, and may use other snapshot files meanwhile.
+struct FetchedSnapshot {
+    Snapshot frame; ///< all but particles; its arrays are empty, of the type that is fetched
+    std::uint64_t size = 0;
+    std::uint64_t rows_at_once = std::uint64_t{1} << 18; ///< about
+    std::function<Positions(std::uint64_t first, std::uint64_t count)> positions;
+    /// Values of array `place` of the frame.
+    std::function<ArrayValues(std::size_t place, std::uint64_t first, std::uint64_t count)> values;
+};
+
+/// Writes the same bytes as for the snapshot that is fetched, if that were in memory. Throws as
+/// write_vtkhdf does, and what fetching throws.
+void write_vtkhdf(const FetchedSnapshot& snapshot, const std::filesystem::path& file);
 
 } // namespace meniscus

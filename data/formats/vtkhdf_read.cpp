@@ -80,9 +80,9 @@ std::uint64_t read_count(const Hdf5Source& source, const std::string& path) {
     return sum;
 }
 
-void read_points(const Hdf5Source& source, Snapshot& snapshot) {
-    const std::uint64_t count = read_count(source, "/VTKHDF/NumberOfPoints");
-    const Dataset points = open_dataset(source, "/VTKHDF/Points");
+/// The positions of a file of so many particles, whose precision the snapshot gets.
+Dataset open_points(const Hdf5Source& source, std::uint64_t count, Snapshot& snapshot) {
+    Dataset points = open_dataset(source, "/VTKHDF/Points");
     if (points.dimensions != Dimensions{count, 3}) {
         fail(source, points.path, std::to_string(count) + " x 3 coordinates",
              shown(points.dimensions));
@@ -92,8 +92,24 @@ void read_points(const Hdf5Source& source, Snapshot& snapshot) {
     if (!single && !std::holds_alternative<std::vector<double>>(type))
         fail(source, points.path, "float or double", "integers");
     snapshot.position_precision = single ? Precision::float32 : Precision::float64;
+    return points;
+}
+
+void read_points(const Hdf5Source& source, Snapshot& snapshot) {
+    const std::uint64_t count = read_count(source, "/VTKHDF/NumberOfPoints");
+    const Dataset points = open_points(source, count, snapshot);
     snapshot.positions.resize(count);
     read_into(source, points, number_type<double>(), snapshot.positions.data());
+}
+
+void check_are_vertices(const Hdf5Source& source, const std::string& path,
+                        const std::vector<std::uint8_t>& types) {
+    for (const std::uint8_t type : types) {
+        if (type != vertex_cell && type != poly_vertex_cell) {
+            fail(source, path, "particles (vertex cells, type 1)",
+                 "cell type " + std::to_string(type) + "; a mesh is no snapshot");
+        }
+    }
 }
 
 /// A mesh has points too, but they are no particles.
@@ -107,32 +123,43 @@ void check_cells(const Hdf5Source& source) {
     const std::string path = "/VTKHDF/Types";
     if (!exists(source, path))
         return;
-    const ArrayValues read = read_numbers(source, open_dataset(source, path));
-    const auto* types = std::get_if<std::vector<std::uint8_t>>(&read);
+    const Dataset types = open_dataset(source, path);
     const std::uint64_t count = read_count(source, "/VTKHDF/NumberOfCells");
-    if (types == nullptr || types->size() != count)
+    if (types.dimensions != Dimensions{count} ||
+        !std::holds_alternative<std::vector<std::uint8_t>>(empty_values(source, types)))
         fail(source, path, std::to_string(count) + " cell types of one byte", "something else");
-    for (const std::uint8_t type : *types) {
-        if (type != vertex_cell && type != poly_vertex_cell) {
-            fail(source, path, "particles (vertex cells, type 1)",
-                 "cell type " + std::to_string(type) + "; a mesh is no snapshot");
-        }
+    constexpr std::uint64_t at_once = 1 << 20;
+    std::vector<std::uint8_t> some(std::min(count, at_once));
+    for (std::uint64_t first = 0; first < count; first += at_once) {
+        some.resize(std::min(at_once, count - first));
+        read_into(source, types, {first, some.size()}, number_type<std::uint8_t>(), some.data());
+        check_are_vertices(source, path, some);
     }
+}
+
+/// Point data of a file of so many particles.
+Dataset open_point_data(const Hdf5Source& source, const std::string& name, std::uint64_t size) {
+    Dataset dataset = open_dataset(source, "/VTKHDF/PointData/" + name);
+    const Dimensions& found = dataset.dimensions;
+    if (found.empty() || found.size() > 2 || found[0] != size ||
+        (found.size() == 2 && (found[1] < 1 || found[1] > 1'000'000))) {
+        fail(source, dataset.path,
+             std::to_string(size) + " or " + std::to_string(size) +
+                 " x components values, as there are particles",
+             shown(found));
+    }
+    return dataset;
+}
+
+int components_of(const Dataset& dataset) {
+    return dataset.dimensions.size() == 2 ? static_cast<int>(dataset.dimensions[1]) : 1;
 }
 
 void read_point_data(const Hdf5Source& source, Snapshot& snapshot) {
     for (const std::string& name : array_names_in(source, "/VTKHDF/PointData")) {
-        const Dataset dataset = open_dataset(source, "/VTKHDF/PointData/" + name);
-        const Dimensions& found = dataset.dimensions;
-        if (found.empty() || found.size() > 2 || found[0] != snapshot.size() ||
-            (found.size() == 2 && (found[1] < 1 || found[1] > 1'000'000))) {
-            fail(source, dataset.path,
-                 std::to_string(snapshot.size()) + " or " + std::to_string(snapshot.size()) +
-                     " x components values, as there are particles",
-                 shown(found));
-        }
-        const int components = found.size() == 2 ? static_cast<int>(found[1]) : 1;
-        snapshot.point_data.push_back({name, components, read_numbers(source, dataset)});
+        const Dataset dataset = open_point_data(source, name, snapshot.size());
+        snapshot.point_data.push_back(
+            {name, components_of(dataset), read_numbers(source, dataset)});
     }
 }
 
@@ -236,6 +263,53 @@ Snapshot read_header(const OpenedFile& file) {
     return snapshot;
 }
 
+Snapshot read_outline(const OpenedFile& file) {
+    const Hdf5Source source = open_source(file);
+    check_grid(source);
+    check_cells(source);
+    Snapshot snapshot;
+    snapshot.particles_in_file = read_count(source, "/VTKHDF/NumberOfPoints");
+    open_points(source, snapshot.particles_in_file, snapshot);
+    for (const std::string& name : array_names_in(source, "/VTKHDF/PointData")) {
+        const Dataset dataset = open_point_data(source, name, snapshot.particles_in_file);
+        snapshot.point_data.push_back(
+            {name, components_of(dataset), empty_values(source, dataset)});
+    }
+    read_field_data(source, snapshot);
+    read_own_words(source, snapshot);
+    return snapshot;
+}
+
+Snapshot read_part(const OpenedFile& file, const VtkhdfPart& part) {
+    const Hdf5Source source = open_source(file);
+    Snapshot snapshot;
+    snapshot.first_particle = part.first;
+    snapshot.particles_in_file = read_count(source, "/VTKHDF/NumberOfPoints");
+    if (part.first + part.count > snapshot.particles_in_file)
+        fail(source, "/VTKHDF/NumberOfPoints", std::to_string(part.first + part.count) + " or more",
+             std::to_string(snapshot.particles_in_file));
+    const Dataset points = open_points(source, snapshot.particles_in_file, snapshot);
+    const Rows rows = {part.first, part.count};
+    if (part.positions) {
+        snapshot.positions.resize(part.count);
+        read_into(source, points, rows, number_type<double>(), snapshot.positions.data());
+    }
+    for (const std::string& name : part.arrays) {
+        const Dataset dataset = open_point_data(source, name, snapshot.particles_in_file);
+        snapshot.point_data.push_back(
+            {name, components_of(dataset), read_numbers(source, dataset, rows)});
+    }
+    return snapshot;
+}
+
+/// A snapshot of the boundary alone.
+Snapshot read_boundary_only(const OpenedFile& file) {
+    const Hdf5Source source = open_source(file);
+    Snapshot snapshot;
+    read_for_meniscus(source, snapshot);
+    return snapshot;
+}
+
 /// An empty snapshot, or an InputError where the file holds no VTKHDF.
 Snapshot look_into(const OpenedFile& file) {
     if (!holds_vtkhdf(open_source(file)))
@@ -268,6 +342,18 @@ Snapshot read_vtkhdf(const fs::path& file) {
 
 Snapshot read_vtkhdf_header(const fs::path& file) {
     return read_isolated(file, read_header);
+}
+
+Snapshot read_vtkhdf_outline(const fs::path& file) {
+    return read_isolated(file, read_outline);
+}
+
+Snapshot read_vtkhdf_part(const fs::path& file, const VtkhdfPart& part) {
+    return read_isolated(file, [&](const OpenedFile& opened) { return read_part(opened, part); });
+}
+
+Positions read_vtkhdf_boundary(const fs::path& file) {
+    return read_isolated(file, read_boundary_only).boundary;
 }
 
 } // namespace meniscus

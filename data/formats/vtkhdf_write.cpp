@@ -1,17 +1,24 @@
 #include "vtkhdf.hpp"
 
+#include <meniscus/data/hdf5/descriptor_driver.hpp>
 #include <meniscus/data/hdf5/hdf5_handles.hpp>
 #include <meniscus/data/hdf5/hdf5_turn.hpp>
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/files.hpp>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <map>
+#include <memory>
+#include <mutex>
 #include <new>
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <unistd.h>
 
 namespace meniscus {
 namespace {
@@ -64,36 +71,103 @@ void set_compression(hid_t creation, const Dimensions& dimensions, std::size_t n
     require(H5Pset_deflate(creation, compression_level));
 }
 
-/// Writes numbers or, with no dimensions at all, one text.
-void write_dataset(hid_t group, const std::string& name, const Dimensions& dimensions,
-                   hid_t stored_type, hid_t memory_type, const void* values) {
+/// Who is inside HDF5 gives its turn to others while it fetches what it is to write.
+using Turn = std::unique_lock<FairLock>;
+
+/// Values of rows from `first` on, in memory that lives until the next call.
+using FetchRows = std::function<const void*(std::uint64_t first, std::uint64_t count)>;
+
+/// Rows of values, `at_once` of which are fetched at a time.
+struct RowSource {
+    std::uint64_t at_once;
+    FetchRows fetch;
+};
+
+/// Rows that are in memory.
+RowSource rows_at(const void* values) {
+    return {std::numeric_limits<std::uint64_t>::max(),
+            [values](std::uint64_t /*first*/, std::uint64_t /*count*/) { return values; }};
+}
+
+/// As many rows as whole chunks have, so that no chunk is written twice; all where there are none.
+std::uint64_t whole_chunks(hid_t creation, const Dimensions& dimensions, std::uint64_t at_once) {
+    if (H5Pget_layout(creation) != H5D_CHUNKED)
+        return dimensions[0];
+    Dimensions chunk(dimensions.size());
+    H5Pget_chunk(creation, static_cast<int>(chunk.size()), chunk.data());
+    return std::max<std::uint64_t>(at_once / chunk[0], 1) * chunk[0];
+}
+
+/// Fetches while others have their turn, which comes back whatever happens.
+const void* fetch_outside(Turn& turn, const RowSource& source, std::uint64_t first,
+                          std::uint64_t count) {
+    turn.unlock();
+    try {
+        const void* values = source.fetch(first, count);
+        turn.lock();
+        return values;
+    } catch (...) {
+        turn.lock();
+        throw;
+    }
+}
+
+void write_rows(hid_t dataset, hid_t creation, hid_t memory_type, const Dimensions& dimensions,
+                const RowSource& source, Turn& turn) {
+    const std::uint64_t rows = dimensions[0];
+    const std::uint64_t at_once =
+        source.at_once >= rows ? rows : whole_chunks(creation, dimensions, source.at_once);
+    for (Dimensions first(dimensions.size()); first[0] < rows; first[0] += at_once) {
+        Dimensions count = dimensions;
+        count[0] = std::min<std::uint64_t>(at_once, rows - first[0]);
+        const void* values = fetch_outside(turn, source, first[0], count[0]);
+        const Handle in_file = made(H5Dget_space(dataset), H5Sclose);
+        const Handle in_memory =
+            made(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose);
+        require(H5Sselect_hyperslab(in_file, H5S_SELECT_SET, first.data(), nullptr, count.data(),
+                                    nullptr));
+        require(H5Dwrite(dataset, memory_type, in_memory, in_file, H5P_DEFAULT, values));
+    }
+}
+
+/// A dataset without values yet, and the list that it was created by.
+std::pair<Handle, Handle> make_dataset(hid_t group, const std::string& name,
+                                       const Dimensions& dimensions, hid_t stored_type) {
     const Handle space =
         made(H5Screate_simple(static_cast<int>(dimensions.size()), dimensions.data(), nullptr),
              H5Sclose);
-    const Handle creation = timeless(H5P_DATASET_CREATE);
+    Handle creation = timeless(H5P_DATASET_CREATE);
     if (!dimensions.empty())
         set_compression(creation, dimensions, H5Tget_size(stored_type));
-    const Handle dataset = made(
+    Handle dataset = made(
         H5Dcreate2(group, name.c_str(), stored_type, space, H5P_DEFAULT, creation, H5P_DEFAULT),
         H5Dclose);
-    if (H5Sget_simple_extent_npoints(space) > 0)
-        require(H5Dwrite(dataset, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values));
+    return {std::move(dataset), std::move(creation)};
+}
+
+/// Writes numbers in rows.
+void write_dataset(hid_t group, const std::string& name, const Dimensions& dimensions,
+                   hid_t stored_type, hid_t memory_type, const RowSource& source, Turn& turn) {
+    const auto [dataset, creation] = make_dataset(group, name, dimensions, stored_type);
+    write_rows(dataset, creation, memory_type, dimensions, source, turn);
+}
+
+Dimensions dimensions_of(std::uint64_t rows, int components) {
+    return components == 1 ? Dimensions{rows} : Dimensions{rows, static_cast<hsize_t>(components)};
 }
 
 template <class Number>
 void write_numbers(hid_t group, const std::string& name, const std::vector<Number>& values,
-                   int components = 1) {
-    const auto width = static_cast<hsize_t>(components);
-    const Dimensions dimensions =
-        components == 1 ? Dimensions{values.size()} : Dimensions{values.size() / width, width};
-    write_dataset(group, name, dimensions, number_type<Number>(), number_type<Number>(),
-                  values.data());
+                   Turn& turn) {
+    write_dataset(group, name, {values.size()}, number_type<Number>(), number_type<Number>(),
+                  rows_at(values.data()), turn);
 }
 
 void write_text(hid_t group, const std::string& name, std::string_view text) {
     const Handle type = text_type(text.size(), H5T_CSET_UTF8);
     const std::string padded(text.empty() ? std::string_view("\0", 1) : text);
-    write_dataset(group, name, {}, type, type, padded.data());
+    const Handle dataset = make_dataset(group, name, {}, type).first;
+    require(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, padded.data()));
 }
 
 void write_attribute(hid_t group, const char* name, hid_t space, hid_t type, const void* value) {
@@ -120,31 +194,57 @@ auto by_stored_name(const Entries& entries, Name name_of) {
     return stored;
 }
 
-void write_vertex_cells(hid_t group, std::size_t count) {
-    std::vector<std::int64_t> ascending(count + 1);
-    std::iota(ascending.begin(), ascending.end(), 0);
-    write_numbers(group, "Offsets", ascending);
-    ascending.pop_back();
-    write_numbers(group, "Connectivity", ascending);
-    write_numbers(group, "Types", std::vector<std::uint8_t>(count, vertex_cell));
-    for (const char* name : {"NumberOfPoints", "NumberOfCells", "NumberOfConnectivityIds"})
-        write_numbers(group, name, std::vector<std::int64_t>{static_cast<std::int64_t>(count)});
+/// Numbers that follow on each other from `first` on, made as they are written.
+template <class Number>
+void write_made(hid_t group, const char* name, std::uint64_t size, Number (*value)(std::uint64_t),
+                Turn& turn) {
+    std::vector<Number> some;
+    const RowSource source = {std::uint64_t{1} << 18,
+                              [&](std::uint64_t first, std::uint64_t count) -> const void* {
+                                  some.resize(count);
+                                  for (std::uint64_t i = 0; i < count; ++i)
+                                      some[i] = value(first + i);
+                                  return some.data();
+                              }};
+    write_dataset(group, name, {size}, number_type<Number>(), number_type<Number>(), source, turn);
 }
 
-void write_point_data(hid_t parent, const Snapshot& snapshot) {
+void write_vertex_cells(hid_t group, std::uint64_t size, Turn& turn) {
+    const auto itself = [](std::uint64_t i) { return static_cast<std::int64_t>(i); };
+    write_made<std::int64_t>(group, "Offsets", size + 1, itself, turn);
+    write_made<std::int64_t>(group, "Connectivity", size, itself, turn);
+    write_made<std::uint8_t>(
+        group, "Types", size, [](std::uint64_t /*i*/) { return vertex_cell; }, turn);
+    for (const char* name : {"NumberOfPoints", "NumberOfCells", "NumberOfConnectivityIds"})
+        write_numbers(group, name, std::vector<std::int64_t>{static_cast<std::int64_t>(size)},
+                      turn);
+}
+
+/// What the writer takes a snapshot from: one in memory, or one that is fetched.
+struct Given {
+    const Snapshot& frame;
+    std::uint64_t size;
+    RowSource positions;
+    std::function<RowSource(std::size_t place)> values;
+};
+
+void write_point_data(hid_t parent, const Given& given, Turn& turn) {
     const Handle group = make_group(parent, "PointData");
-    const auto arrays =
-        by_stored_name(snapshot.point_data, [](const PointArray& array) { return array.name; });
+    const auto& all = given.frame.point_data;
+    const auto arrays = by_stored_name(all, [](const PointArray& array) { return array.name; });
     for (const auto& [name, array] : arrays) {
+        const RowSource source = given.values(static_cast<std::size_t>(array - all.data()));
         std::visit(
             [&, name = name, array = array](const auto& values) {
-                write_numbers(group, name, values, array->components);
+                using Number = typename std::decay_t<decltype(values)>::value_type;
+                write_dataset(group, name, dimensions_of(given.size, array->components),
+                              number_type<Number>(), number_type<Number>(), source, turn);
             },
             array->values);
     }
 }
 
-void write_field_data(hid_t parent, const Snapshot& snapshot) {
+void write_field_data(hid_t parent, const Snapshot& snapshot, Turn& turn) {
     const Handle group = make_group(parent, "FieldData");
     const std::pair<const char*, std::optional<double>> fields[] = {
         {"support_radius", snapshot.support_radius},
@@ -153,11 +253,11 @@ void write_field_data(hid_t parent, const Snapshot& snapshot) {
         {"time", snapshot.time}};
     for (const auto& [name, value] : fields)
         if (value)
-            write_numbers(group, name, std::vector<double>{*value});
-    write_numbers(group, "dimension", std::vector<std::int32_t>{snapshot.dimension});
+            write_numbers(group, name, std::vector<double>{*value}, turn);
+    write_numbers(group, "dimension", std::vector<std::int32_t>{snapshot.dimension}, turn);
 }
 
-void write_for_vtk(hid_t file, const Snapshot& snapshot) {
+void write_for_vtk(hid_t file, const Given& given, Turn& turn) {
     const Handle group = make_group(file, "VTKHDF");
     const std::int64_t version[] = {1, 0};
     const hsize_t two = 2;
@@ -165,24 +265,24 @@ void write_for_vtk(hid_t file, const Snapshot& snapshot) {
                     number_type<std::int64_t>(), version);
     write_attribute(group, "Type", made(H5Screate(H5S_SCALAR), H5Sclose),
                     text_type(grid_type.size(), H5T_CSET_ASCII), grid_type.data());
-    write_dataset(group, "Points", {snapshot.size(), 3},
-                  snapshot.position_precision == Precision::float32 ? number_type<float>()
-                                                                    : number_type<double>(),
-                  number_type<double>(), snapshot.positions.data());
-    write_vertex_cells(group, snapshot.size());
-    write_point_data(group, snapshot);
+    write_dataset(group, "Points", {given.size, 3},
+                  given.frame.position_precision == Precision::float32 ? number_type<float>()
+                                                                       : number_type<double>(),
+                  number_type<double>(), given.positions, turn);
+    write_vertex_cells(group, given.size, turn);
+    write_point_data(group, given, turn);
     make_group(group, "CellData");
-    write_field_data(group, snapshot);
+    write_field_data(group, given.frame, turn);
 }
 
-void write_for_meniscus(hid_t file, const Snapshot& snapshot) {
+void write_for_meniscus(hid_t file, const Snapshot& snapshot, Turn& turn) {
     const Handle group = make_group(file, "meniscus");
     write_text(group, "format_version", format_version);
     if (!snapshot.scene.empty())
         write_text(group, "scene", snapshot.scene);
     if (!snapshot.boundary.empty()) {
         write_dataset(group, "boundary", {snapshot.boundary.size(), 3}, number_type<double>(),
-                      number_type<double>(), snapshot.boundary.data());
+                      number_type<double>(), rows_at(snapshot.boundary.data()), turn);
     }
     const Handle provenance = make_group(group, "provenance");
     const auto entries =
@@ -191,26 +291,50 @@ void write_for_meniscus(hid_t file, const Snapshot& snapshot) {
         write_text(provenance, name, entry->second);
 }
 
-/// The bytes of the whole file. They are made in memory, so that what reaches the disk does so
-/// whole or not at all. `name` is only what HDF5 tells files in memory apart by.
-std::string file_image(const Snapshot& snapshot, const std::string& name) {
+/// Fills a file with the snapshot. The bytes are those that HDF5 has flushed: closing the file
+/// would change them once more.
+void fill_file(int descriptor, const Given& given, FileBeingWritten& written) {
+    Turn turn(hdf5_turn());
+    const QuietErrors quiet;
     const Handle access = made(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-    require(H5Pset_fapl_core(access, std::size_t{1} << 24, false));
     // Since 1.8 HDF5 keeps checksums of its own structures, so that damage is noticed.
     require(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18));
     const Handle file =
-        made(H5Fcreate(name.c_str(), H5F_ACC_TRUNC, timeless(H5P_FILE_CREATE), access), H5Fclose);
-    write_for_vtk(file, snapshot);
-    write_for_meniscus(file, snapshot);
-    require(H5Fflush(file, H5F_SCOPE_LOCAL));
-    const ssize_t size = H5Fget_file_image(file, nullptr, 0);
-    // The driver's own memory: H5Fget_file_image would clear the flag "open for writing", which has
-    // no meaning in this version of the format, without mending the checksum over it.
-    void** memory = nullptr;
-    require(H5Fget_vfd_handle(file, H5P_DEFAULT, reinterpret_cast<void**>(&memory)));
-    if (size <= 0 || memory == nullptr)
+        create_on_descriptor(descriptor, written, timeless(H5P_FILE_CREATE), access);
+    if (file < 0)
         throw std::bad_alloc();
-    return {static_cast<const char*>(*memory), static_cast<std::size_t>(size)};
+    // Nothing reaches the file any more once this is left, be it by an exception.
+    const std::unique_ptr<bool, void (*)(bool*)> finish(&written.is_finished,
+                                                        [](bool* finished) { *finished = true; });
+    write_for_vtk(file, given, turn);
+    write_for_meniscus(file, given.frame, turn);
+    require(H5Fflush(file, H5F_SCOPE_LOCAL));
+}
+
+void write_given(const Given& given, const fs::path& file) {
+    write_whole(file, [&](int descriptor) {
+        FileBeingWritten written;
+        bool has_memory = true;
+        try {
+            fill_file(descriptor, given, written);
+        } catch (const std::bad_alloc&) {
+            has_memory = false;
+        }
+        // HDF5 does not always tell: it writes what it holds back while it closes a dataset.
+        if (written.error != 0)
+            fail_to_write(file, written.error);
+        if (!has_memory)
+            throw FailureError(file.string() + ": not enough memory to build the file of " +
+                               std::to_string(given.size) + " particles");
+        if (ftruncate(descriptor, static_cast<off_t>(written.bytes)) != 0)
+            fail_to_write(file, errno);
+    });
+}
+
+/// The place in memory of an array's values.
+const void* values_at(const PointArray& array) {
+    return std::visit([](const auto& values) -> const void* { return values.data(); },
+                      array.values);
 }
 
 /// What could not be read back is refused before it is written.
@@ -239,16 +363,28 @@ void check_consistent(const Snapshot& snapshot) {
 
 void write_vtkhdf(const Snapshot& snapshot, const fs::path& file) {
     check_consistent(snapshot);
-    std::string image;
-    try {
-        const std::lock_guard<FairLock> turn(hdf5_turn());
-        const QuietErrors quiet;
-        image = file_image(snapshot, file.string() + " (in memory)");
-    } catch (const std::bad_alloc&) {
-        throw FailureError(file.string() + ": not enough memory to build the file of " +
-                           std::to_string(snapshot.size()) + " particles");
-    }
-    write_whole(file, image);
+    const auto values = [&](std::size_t place) {
+        return rows_at(values_at(snapshot.point_data[place]));
+    };
+    write_given({snapshot, snapshot.size(), rows_at(snapshot.positions.data()), values}, file);
+}
+
+void write_vtkhdf(const FetchedSnapshot& snapshot, const fs::path& file) {
+    Positions positions;
+    PointArray some;
+    const auto fetch_positions = [&](std::uint64_t first, std::uint64_t count) -> const void* {
+        positions = snapshot.positions(first, count);
+        return positions.data();
+    };
+    const auto values = [&](std::size_t place) {
+        return RowSource{snapshot.rows_at_once,
+                         [&, place](std::uint64_t first, std::uint64_t count) -> const void* {
+                             some.values = snapshot.values(place, first, count);
+                             return values_at(some);
+                         }};
+    };
+    write_given({snapshot.frame, snapshot.size, {snapshot.rows_at_once, fetch_positions}, values},
+                file);
 }
 
 } // namespace meniscus

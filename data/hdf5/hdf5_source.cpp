@@ -277,6 +277,37 @@ void read_into(const Hdf5Source& source, const Dataset& dataset, hid_t memory_ty
         fail(source, dataset.path, "readable numbers", "damaged ones; make the file again");
 }
 
+void read_into(const Hdf5Source& source, const Dataset& dataset, const Rows& rows,
+               hid_t memory_type, void* values) {
+    if (rows.count == 0 || value_count(dataset) == 0)
+        return;
+    Dimensions first(dataset.dimensions.size());
+    Dimensions count = dataset.dimensions;
+    first[0] = rows.first;
+    count[0] = rows.count;
+    const Handle in_file(H5Dget_space(dataset.id), H5Sclose);
+    const Handle in_memory(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr),
+                           H5Sclose);
+    if (H5Sselect_hyperslab(in_file, H5S_SELECT_SET, first.data(), nullptr, count.data(), nullptr) <
+            0 ||
+        H5Dread(dataset.id, memory_type, in_memory, in_file, H5P_DEFAULT, values) < 0)
+        fail(source, dataset.path, "readable numbers", "damaged ones; make the file again");
+}
+
+ArrayValues read_numbers(const Hdf5Source& source, const Dataset& dataset, const Rows& rows) {
+    ArrayValues read = empty_values(source, dataset);
+    const std::size_t width =
+        value_count(dataset) / std::max<std::size_t>(dataset.dimensions.at(0), 1);
+    std::visit(
+        [&](auto& values) {
+            using Number = typename std::decay_t<decltype(values)>::value_type;
+            values.resize(rows.count * width);
+            read_into(source, dataset, rows, number_type<Number>(), values.data());
+        },
+        read);
+    return read;
+}
+
 ArrayValues read_numbers(const Hdf5Source& source, const Dataset& dataset) {
     ArrayValues read = empty_values(source, dataset);
     std::visit(

@@ -65,6 +65,19 @@ ArrayValues empty_values(const Hdf5Source& source, const Dataset& dataset);
 /// Reads into memory that has room for value_count() values.
 void read_into(const Hdf5Source& source, const Dataset& dataset, hid_t memory_type, void* values);
 
+/// Some of the rows of a dataset of particles: those from `first` on. The dataset must have them.
+struct Rows {
+    std::uint64_t first;
+    std::uint64_t count;
+};
+
+/// Reads these rows into memory that has room for them.
+void read_into(const Hdf5Source& source, const Dataset& dataset, const Rows& rows,
+               hid_t memory_type, void* values);
+
+/// All values of these rows in their stored type.
+ArrayValues read_numbers(const Hdf5Source& source, const Dataset& dataset, const Rows& rows);
+
 /// All values in their stored type.
 ArrayValues read_numbers(const Hdf5Source& source, const Dataset& dataset);
 

@@ -191,6 +191,8 @@ void carry(Pipe& pipe, Snapshot& snapshot) {
     snapshot.position_precision = is_single != 0 ? Precision::float32 : Precision::float64;
     pipe.number(snapshot.dimension);
     pipe.number(snapshot.dimension_is_stated);
+    pipe.number(snapshot.first_particle);
+    pipe.number(snapshot.particles_in_file);
     carry_optional(pipe, snapshot.support_radius);
     carry_optional(pipe, snapshot.particle_spacing);
     carry_optional(pipe, snapshot.particle_volume);
@@ -215,7 +217,8 @@ void carry(Pipe& pipe, Snapshot& snapshot) {
     });
 }
 
-/// Damage in the child's memory may have gone unnoticed.
+/// Damage in the child's memory may have gone unnoticed. Where only arrays of a part were read,
+/// whoever takes them knows how many values they have.
 inline void check_is_consistent(const Snapshot& snapshot) {
     bool fine = snapshot.dimension == 2 || snapshot.dimension == 3;
     std::set<std::string_view> names;
@@ -223,7 +226,8 @@ inline void check_is_consistent(const Snapshot& snapshot) {
         const std::size_t count =
             std::visit([](const auto& values) { return values.size(); }, array.values);
         fine = fine && array.components > 0 && names.insert(array.name).second &&
-               count == snapshot.size() * static_cast<std::size_t>(array.components);
+               (count == snapshot.size() * static_cast<std::size_t>(array.components) ||
+                (snapshot.particles_in_file > 0 && snapshot.size() == 0));
     }
     if (!fine)
         throw BrokenPipe();

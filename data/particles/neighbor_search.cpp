@@ -26,12 +26,11 @@ constexpr double max_radius = 1e150;
 /// Particles sorted by the bucket that their cell falls into. With few enough cells a bucket is a
 /// cell; otherwise distant cells may share one, which costs a distance test and nothing else.
 struct NeighborGrid::Cells {
-    double radius = 0; ///< largest of its particles
-    std::array<double, 3> origin{};
-    double inverse_cell_size = 0;
-    Cell cells{1, 1, 1}; ///< number of cells along each axis
-    bool direct = true;  ///< a bucket is a cell
-    std::uint64_t bucket_mask = 0;
+    GridLayout layout;   ///< its radius is the largest of the particles
+    Cell first{0, 0, 0}; ///< of the cells that the particles lie in
+    Cell cells{1, 1, 1}; ///< how many there are along each axis
+    /// Of a part of a state, the shared buckets that hold particles, sorted; else empty: all.
+    std::vector<std::uint64_t> occupied;
     std::vector<std::uint32_t> bucket_start; ///< size: buckets + 1
     std::vector<std::uint32_t> order;        ///< particle at each sorted place
     Positions positions;                     ///< sorted
@@ -67,24 +66,26 @@ Cell cell_of(const Grid& grid, const std::array<double, 3>& position) {
     Cell cell;
     for (int axis = 0; axis < 3; ++axis) {
         // Clamped before it becomes an integer: what is searched around may lie far outside.
-        const double scaled = (position[axis] - grid.origin[axis]) * grid.inverse_cell_size;
-        const auto last = static_cast<double>(grid.cells[axis] - 1);
-        cell[axis] = static_cast<std::int64_t>(std::clamp(scaled, 0.0, last));
+        const double scaled = scaled_coordinate(grid.layout, position, axis);
+        const auto first = static_cast<double>(grid.first[axis]);
+        const auto last = static_cast<double>(grid.first[axis] + grid.cells[axis] - 1);
+        cell[axis] = static_cast<std::int64_t>(std::clamp(scaled, first, last));
     }
     return cell;
 }
 
 std::uint64_t bucket_of(const Grid& grid, const Cell& cell) {
+    if (grid.layout.direct)
+        return static_cast<std::uint64_t>(
+            cell[0] - grid.first[0] +
+            grid.cells[0] * (cell[1] - grid.first[1] + grid.cells[1] * (cell[2] - grid.first[2])));
     const auto x = static_cast<std::uint64_t>(cell[0]);
     const auto y = static_cast<std::uint64_t>(cell[1]);
     const auto z = static_cast<std::uint64_t>(cell[2]);
-    if (grid.direct)
-        return x + static_cast<std::uint64_t>(grid.cells[0]) *
-                       (y + static_cast<std::uint64_t>(grid.cells[1]) * z);
     // Odd multipliers spread the bits; the high half of the product mixes best.
     const std::uint64_t mixed =
         (x * 0x9e3779b97f4a7c15ULL) ^ (y * 0xc2b2ae3d27d4eb4fULL) ^ (z * 0x165667b19e3779f9ULL);
-    return (mixed ^ (mixed >> 32)) & grid.bucket_mask;
+    return (mixed ^ (mixed >> 32)) & grid.layout.bucket_mask;
 }
 
 bool is_valid(const NeighborFilter& filter, std::size_t i) {
@@ -140,48 +141,67 @@ void check_input(const Positions& positions, const SupportRadii& radii,
                                  " has a position that is not finite");
 }
 
-/// Sets origin, cell size and the number of cells from the extent of the valid particles.
-void lay_out(Grid& grid, const Positions& positions, double radius, const NeighborFilter& filter) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    std::array<double, 3> low{infinity, infinity, infinity};
-    std::array<double, 3> high{-infinity, -infinity, -infinity};
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-        if (!is_valid(filter, i))
-            continue;
-        ++count;
-        for (int axis = 0; axis < 3; ++axis) {
-            low[axis] = std::min(low[axis], positions[i][axis]);
-            high[axis] = std::max(high[axis], positions[i][axis]);
-        }
-    }
-    if (count == 0)
+/// The extent of the valid particles.
+ParticleExtent extent_of(const Positions& positions, const NeighborFilter& filter) {
+    ParticleExtent extent;
+    for (std::size_t i = 0; i < positions.size(); ++i)
+        if (is_valid(filter, i))
+            extent.add(positions[i]);
+    return extent;
+}
+
+std::size_t cell_count(const Grid& grid) {
+    return static_cast<std::size_t>(grid.cells[0] * grid.cells[1] * grid.cells[2]);
+}
+
+/// As many buckets as the layout has, for all particles of a state.
+void make_room(Grid& grid, const GridLayout& layout) {
+    grid.layout = layout;
+    grid.cells = layout.cells;
+    if (layout.inverse_cell_size == 0) // no particle
         return;
-    double extent = 0;
+    grid.bucket_start.assign((layout.direct ? cell_count(grid) : layout.bucket_mask + 1) + 1, 0);
+}
+
+/// Only as many as a part of the state needs: numbered otherwise, but in the same order.
+void make_room_for_part(Grid& grid, const GridLayout& layout, const Positions& positions,
+                        const NeighborFilter& filter) {
+    grid.layout = layout;
+    grid.cells = layout.cells;
+    const ParticleExtent extent = extent_of(positions, filter);
+    if (extent.count == 0)
+        return;
+    const Cell low = cell_of(grid, extent.low);
+    const Cell high = cell_of(grid, extent.high);
+    grid.first = low;
     for (int axis = 0; axis < 3; ++axis)
-        extent = std::max(extent, high[axis] - low[axis]);
-    const double radii = extent / radius;
-    if (!(radii < 0x1p50))
-        throw InputError("the particles span " + rounded_text(radii, 3) +
-                         " support radii, more than double precision can resolve; is the support "
-                         "radius right?");
-    // A little larger than the radius, so that rounding of the cell coordinate never puts two
-    // particles closer than the radius two cells apart.
-    const double cell_size = radius * (1 + 1e-6 + radii * 0x1p-50);
-    grid.origin = low;
-    grid.inverse_cell_size = 1 / cell_size;
-    double boxes = 1;
-    for (int axis = 0; axis < 3; ++axis) {
-        grid.cells[axis] = 1 + static_cast<std::int64_t>((high[axis] - low[axis]) / cell_size);
-        boxes *= static_cast<double>(grid.cells[axis]);
+        grid.cells[axis] = high[axis] - low[axis] + 1;
+    if (layout.direct) {
+        grid.bucket_start.assign(cell_count(grid) + 1, 0);
+        return;
     }
-    // Up to eight cells a particle the direct table is cheap; beyond, two buckets a particle.
-    grid.direct = boxes <= 8.0 * static_cast<double>(count) + 64;
-    std::uint64_t buckets = 64;
-    while (buckets < 2 * count)
-        buckets *= 2;
-    grid.bucket_mask = buckets - 1;
-    grid.bucket_start.assign((grid.direct ? static_cast<std::size_t>(boxes) : buckets) + 1, 0);
+    for (std::size_t i = 0; i < positions.size(); ++i)
+        if (is_valid(filter, i))
+            grid.occupied.push_back(bucket_of(grid, cell_of(grid, positions[i])));
+    std::sort(grid.occupied.begin(), grid.occupied.end());
+    grid.occupied.erase(std::unique(grid.occupied.begin(), grid.occupied.end()),
+                        grid.occupied.end());
+    grid.bucket_start.assign(grid.occupied.size() + 1, 0);
+}
+
+/// The number of buckets that hold particles and come before this one.
+std::size_t first_slot(const Grid& grid, std::uint64_t bucket) {
+    if (grid.occupied.empty())
+        return bucket;
+    return static_cast<std::size_t>(
+        std::lower_bound(grid.occupied.begin(), grid.occupied.end(), bucket) -
+        grid.occupied.begin());
+}
+
+/// The places of all from one bucket to another.
+SortedRange range_of(const Grid& grid, std::uint64_t first_bucket, std::uint64_t last_bucket) {
+    return {grid.bucket_start[first_slot(grid, first_bucket)],
+            grid.bucket_start[first_slot(grid, last_bucket + 1)]};
 }
 
 /// Counting sort of the valid particles by bucket; stable, so the order within a bucket is that of
@@ -193,7 +213,7 @@ void sort_particles(Grid& grid, const Positions& positions, const NeighborFilter
     loop(positions.size(), [&](std::size_t begin, std::size_t end, int) {
         for (std::size_t i = begin; i < end; ++i)
             if (is_valid(filter, i))
-                bucket[i] = bucket_of(grid, cell_of(grid, positions[i]));
+                bucket[i] = first_slot(grid, bucket_of(grid, cell_of(grid, positions[i])));
     });
     for (std::size_t i = 0; i < positions.size(); ++i)
         if (is_valid(filter, i))
@@ -219,7 +239,7 @@ void sort_particles(Grid& grid, const Positions& positions, const NeighborFilter
 
 void add_range(const Grid& grid, std::uint64_t first_bucket, std::uint64_t last_bucket,
                SearchRanges& search) {
-    const SortedRange range{grid.bucket_start[first_bucket], grid.bucket_start[last_bucket + 1]};
+    const SortedRange range = range_of(grid, first_bucket, last_bucket);
     if (range.begin < range.end)
         search.ranges[search.count++] = range;
 }
@@ -230,14 +250,14 @@ SearchRanges ranges_around(const Grid& grid, const Cell& cell) {
     Cell low;
     Cell high;
     for (int axis = 0; axis < 3; ++axis) {
-        low[axis] = std::max(cell[axis] - 1, std::int64_t{0});
-        high[axis] = std::min(cell[axis] + 1, grid.cells[axis] - 1);
+        low[axis] = std::max(cell[axis] - 1, grid.first[axis]);
+        high[axis] = std::min(cell[axis] + 1, grid.first[axis] + grid.cells[axis] - 1);
     }
     std::array<std::uint64_t, 27> shared;
     int shared_count = 0;
     for (std::int64_t z = low[2]; z <= high[2]; ++z)
         for (std::int64_t y = low[1]; y <= high[1]; ++y) {
-            if (grid.direct) { // cells along x lie side by side
+            if (grid.layout.direct) { // cells along x lie side by side
                 add_range(grid, bucket_of(grid, {low[0], y, z}), bucket_of(grid, {high[0], y, z}),
                           search);
                 continue;
@@ -274,18 +294,18 @@ std::vector<SortedRange> ranges_within(const Grid& grid, const std::array<double
     std::vector<std::array<std::uint64_t, 2>> buckets; // first and last
     for (std::int64_t z = low[2]; z <= high[2]; ++z)
         for (std::int64_t y = low[1]; y <= high[1]; ++y) {
-            if (grid.direct)
+            if (grid.layout.direct)
                 buckets.push_back(
                     {bucket_of(grid, {low[0], y, z}), bucket_of(grid, {high[0], y, z})});
-            for (std::int64_t x = low[0]; x <= high[0] && !grid.direct; ++x)
+            for (std::int64_t x = low[0]; x <= high[0] && !grid.layout.direct; ++x)
                 buckets.push_back({bucket_of(grid, {x, y, z}), bucket_of(grid, {x, y, z})});
         }
     std::sort(buckets.begin(), buckets.end()); // two cells may share one
     buckets.erase(std::unique(buckets.begin(), buckets.end()), buckets.end());
     std::vector<SortedRange> ranges;
     for (const auto& [first, last] : buckets)
-        if (grid.bucket_start[first] < grid.bucket_start[last + 1])
-            ranges.push_back({grid.bucket_start[first], grid.bucket_start[last + 1]});
+        if (const SortedRange range = range_of(grid, first, last); range.begin < range.end)
+            ranges.push_back(range);
     return ranges;
 }
 
@@ -309,7 +329,7 @@ void visit_ranges(const Grid& grid, const std::array<double, 3>& center, double 
                   Visit&& visit) {
     if (grid.order.empty())
         return;
-    if (radius <= grid.radius) {
+    if (radius <= grid.layout.radius) {
         const SearchRanges search = ranges_around(grid, cell_of(grid, center));
         for (int r = 0; r < search.count; ++r)
             visit(search.ranges[r]);
@@ -351,11 +371,11 @@ void visit_neighbors(const Levels& levels, std::size_t place, Found&& found) {
     const std::size_t level = level_of(levels, place);
     const Grid& own = levels.grids[level];
     const std::size_t s = place - levels.first_place[level];
-    const double own_radius = own.radii.empty() ? own.radius : own.radii[s];
+    const double own_radius = own.radii.empty() ? own.layout.radius : own.radii[s];
     for (const Grid& grid : levels.grids) {
         const std::size_t self = &grid == &own ? s : grid.order.size();
         const double* radii = grid.radii.empty() ? nullptr : grid.radii.data();
-        visit_places(grid, own.positions[s], (own_radius + grid.radius) / 2,
+        visit_places(grid, own.positions[s], (own_radius + grid.layout.radius) / 2,
                      [&](std::uint32_t other, const std::array<double, 3>& displacement,
                          double distance_squared) {
                          if (other != self &&
@@ -371,8 +391,7 @@ void visit_neighbors(const Levels& levels, std::size_t place, Found&& found) {
 void add_level(Levels& levels, const Positions& positions, const SupportRadii& radii, double radius,
                const NeighborFilter& filter, int threads) {
     Grid& grid = levels.grids.emplace_back();
-    grid.radius = radius;
-    lay_out(grid, positions, radius, filter);
+    make_room(grid, grid_layout(radius, extent_of(positions, filter)));
     if (!grid.bucket_start.empty())
         sort_particles(grid, positions, filter, threads);
     if (radii.vary())
@@ -422,12 +441,13 @@ void check_comparisons(const Levels& levels) {
         const Grid& own = levels.grids[level];
         const std::size_t s = place - levels.first_place[level];
         for (const Grid& grid : levels.grids)
-            visit_ranges(grid, own.positions[s], (own.radii[s] + grid.radius) / 2,
+            visit_ranges(grid, own.positions[s], (own.radii[s] + grid.layout.radius) / 2,
                          [&](const SortedRange& range) { comparisons += range.end - range.begin; });
     }
     if (comparisons / sampled > max)
-        throw InputError("support radii up to " + rounded_text(levels.grids.back().radius, 3) +
-                         " m reach over " + std::to_string(comparisons / sampled) +
+        throw InputError("support radii up to " +
+                         rounded_text(levels.grids.back().layout.radius, 3) + " m reach over " +
+                         std::to_string(comparisons / sampled) +
                          " particles on average, expected at most " + std::to_string(max) +
                          "; are they all in m? --support-radius gives one for all");
 }
@@ -444,6 +464,18 @@ NeighborGrid::NeighborGrid(const Positions& positions, const SupportRadii& radii
     } else {
         add_level(*levels, positions, radii, radii.max, filter, threads);
     }
+}
+
+NeighborGrid::NeighborGrid(const Positions& positions, const GridLayout& whole,
+                           const NeighborFilter& filter, int threads)
+    : levels(std::make_unique<Levels>()) {
+    check_input(positions, whole.radius, filter);
+    Grid& grid = levels->grids.emplace_back();
+    make_room_for_part(grid, whole, positions, filter);
+    if (!grid.bucket_start.empty())
+        sort_particles(grid, positions, filter, threads);
+    levels->first_place.push_back(0);
+    levels->size = grid.order.size();
 }
 
 NeighborGrid::NeighborGrid(NeighborGrid&&) noexcept = default;
@@ -484,7 +516,7 @@ void visit_listed(const Levels& levels, std::size_t place, std::size_t max_crowd
     const std::size_t level = level_of(levels, place);
     const Grid& own = levels.grids[level];
     const std::size_t s = place - levels.first_place[level];
-    const double near = crowd_radius * (own.radii.empty() ? own.radius : own.radii[s]);
+    const double near = crowd_radius * (own.radii.empty() ? own.layout.radius : own.radii[s]);
     std::size_t crowd = 0;
     visit_neighbors(levels, place,
                     [&](std::uint32_t other, const std::array<double, 3>& displacement) {

@@ -9,6 +9,7 @@
 // cells of a coarse region are not full of the particles of a fine one.
 #pragma once
 
+#include "grid_layout.hpp"
 #include "snapshot.hpp"
 #include "support_radii.hpp"
 
@@ -74,6 +75,11 @@ public:
     /// Throws as find_neighbors does, but for the number of neighbors.
     NeighborGrid(const Positions& positions, const SupportRadii& radii,
                  const NeighborFilter& filter = {}, int threads = 0);
+    /// A part of a state of that layout, its particles in the order that they have there: each
+    /// finds those of its neighbors that are in the part, in the order in which it finds them in
+    /// the whole. Throws as the other does.
+    NeighborGrid(const Positions& positions, const GridLayout& whole, const NeighborFilter& filter,
+                 int threads);
     NeighborGrid(NeighborGrid&&) noexcept;
     NeighborGrid& operator=(NeighborGrid&&) noexcept;
     ~NeighborGrid();

@@ -20,7 +20,8 @@ bool fits_int64(double value) {
 
 template <class Value>
 std::vector<std::int64_t> as_integers(const std::vector<Value>& values, std::string_view name,
-                                      const std::vector<std::uint8_t>& valid) {
+                                      const std::vector<std::uint8_t>& valid,
+                                      std::uint64_t first_particle) {
     if constexpr (std::is_integral_v<Value>) {
         return {values.begin(), values.end()};
     } else {
@@ -29,8 +30,9 @@ std::vector<std::int64_t> as_integers(const std::vector<Value>& values, std::str
             if (valid[i] == 0)
                 continue;
             if (!fits_int64(values[i]))
-                throw InputError("particle " + std::to_string(i) + " has " + std::string(name) +
-                                 " " + number_text(values[i]) + ", expected a whole number");
+                throw InputError("particle " + std::to_string(first_particle + i) + " has " +
+                                 std::string(name) + " " + number_text(values[i]) +
+                                 ", expected a whole number");
             integers[i] = static_cast<std::int64_t>(values[i]);
         }
         return integers;
@@ -52,50 +54,74 @@ std::string type_name(const Snapshot& snapshot) {
                                                              : "double precision";
 }
 
-/// Throws InputError, saying what the particles with 0 do, where there is one.
-void demand_all(const std::vector<std::uint8_t>& valid, const std::string& what) {
-    const auto first = std::find(valid.begin(), valid.end(), 0);
-    if (first == valid.end())
-        return;
-    throw InputError(std::to_string(std::count(first, valid.end(), 0)) + " of " +
-                     std::to_string(valid.size()) + " particles " + what +
-                     ", the first is particle " + std::to_string(first - valid.begin()) +
-                     "; --skip-invalid leaves them out");
+/// Throws InputError, saying what these particles do, where there is one.
+void refuse(const ParticlesAtFault& particles, std::uint64_t of, const std::string& what) {
+    if (particles.count > 0)
+        throw InputError(std::to_string(particles.count) + " of " + std::to_string(of) +
+                         " particles " + what + ", the first is particle " +
+                         std::to_string(particles.first) + "; --skip-invalid leaves them out");
 }
 
 } // namespace
 
+std::vector<std::uint8_t> usable_positions(const Snapshot& snapshot, const SupportRadii& radii,
+                                           PositionFaults& faults) {
+    auto valid = finite_positions(snapshot);
+    faults.particles += valid.size();
+    for (std::size_t i = 0; i < valid.size(); ++i) {
+        const std::uint64_t number = snapshot.first_particle + i;
+        if (valid[i] == 0) {
+            faults.not_finite.add(number);
+            continue;
+        }
+        const double step = step_of(snapshot, radii, i);
+        if (step >= coarsest_position_step) {
+            faults.too_far.add(number);
+            valid[i] = 0;
+        } else if (step > faults.coarsest_step) {
+            faults.coarsest_step = step;
+            faults.coarsest = number;
+        }
+    }
+    return valid;
+}
+
+void refuse_faults(const Snapshot& snapshot, const PositionFaults& faults) {
+    refuse(faults.not_finite, faults.particles, "have positions that are not finite");
+    refuse(faults.too_far, faults.particles,
+           "lie so far from the origin that " + type_name(snapshot) +
+               " cannot tell them from their neighbors (are positions and support "
+               "radius in m, and measured from a point nearby?)");
+}
+
+std::string doubt_of(const Snapshot& snapshot, const PositionFaults& faults) {
+    if (faults.coarsest_step <= doubtful_position_step)
+        return {};
+    return "particle " + std::to_string(faults.coarsest) + " lies so far from the origin that " +
+           type_name(snapshot) + " moves it in steps of " + rounded_text(faults.coarsest_step, 2) +
+           " support radii; particles whose label hangs on so little are doubtful";
+}
+
 std::vector<std::uint8_t> checked_positions(const Snapshot& snapshot, const SupportRadii& radii,
                                             bool skip_invalid) {
-    auto valid = finite_positions(snapshot);
+    PositionFaults faults;
+    auto valid = usable_positions(snapshot, radii, faults);
     if (!skip_invalid)
-        demand_all(valid, "have positions that are not finite");
-    for (std::size_t i = 0; i < valid.size(); ++i)
-        if (valid[i] != 0 && step_of(snapshot, radii, i) >= coarsest_position_step)
-            valid[i] = 0;
-    if (!skip_invalid)
-        demand_all(valid, "lie so far from the origin that " + type_name(snapshot) +
-                              " cannot tell them from their neighbors (are positions and support "
-                              "radius in m, and measured from a point nearby?)");
+        refuse_faults(snapshot, faults);
     return valid;
 }
 
 std::string doubtful_positions(const Snapshot& snapshot, const SupportRadii& radii,
                                const std::vector<std::uint8_t>& valid) {
-    double max = 0;
-    std::size_t where = 0;
+    PositionFaults faults;
     for (std::size_t i = 0; i < valid.size(); ++i) {
         const double step = valid[i] != 0 ? step_of(snapshot, radii, i) : 0;
-        if (step > max) {
-            max = step;
-            where = i;
+        if (step > faults.coarsest_step) {
+            faults.coarsest_step = step;
+            faults.coarsest = snapshot.first_particle + i;
         }
     }
-    if (max <= doubtful_position_step)
-        return {};
-    return "particle " + std::to_string(where) + " lies so far from the origin that " +
-           type_name(snapshot) + " moves it in steps of " + rounded_text(max, 2) +
-           " support radii; particles whose label hangs on so little are doubtful";
+    return doubt_of(snapshot, faults);
 }
 
 SupportRadii support_radii(const Snapshot& snapshot) {
@@ -114,8 +140,9 @@ std::vector<double> checked_masses(const Snapshot& snapshot,
     auto masses = scalar_values(snapshot, "mass");
     for (std::size_t i = 0; i < masses.size(); ++i)
         if (valid[i] != 0 && !(masses[i] > 0 && std::isfinite(masses[i])))
-            throw InputError("particle " + std::to_string(i) + " has mass " +
-                             number_text(masses[i]) + ", expected a positive number");
+            throw InputError("particle " + std::to_string(snapshot.first_particle + i) +
+                             " has mass " + number_text(masses[i]) +
+                             ", expected a positive number");
     return masses;
 }
 
@@ -138,8 +165,11 @@ std::vector<std::int64_t> integer_values(const Snapshot& snapshot, std::string_v
                                          const std::vector<std::uint8_t>& valid) {
     if (find_array(snapshot, name) == nullptr)
         return {};
-    return std::visit([&](const auto& values) { return as_integers(values, name, valid); },
-                      scalar_array(snapshot, name).values);
+    return std::visit(
+        [&](const auto& values) {
+            return as_integers(values, name, valid, snapshot.first_particle);
+        },
+        scalar_array(snapshot, name).values);
 }
 
 } // namespace meniscus

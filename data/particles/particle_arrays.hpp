@@ -19,6 +19,37 @@ inline std::vector<std::int8_t> stored_classes(const std::vector<std::uint8_t>& 
     return {classes.begin(), classes.end()};
 }
 
+/// Particles that something is wrong with.
+struct ParticlesAtFault {
+    std::uint64_t count = 0;
+    std::uint64_t first = 0; ///< its number in the file
+
+    void add(std::uint64_t number) {
+        first = count == 0 || number < first ? number : first;
+        ++count;
+    }
+};
+
+/// What is wrong with the positions of a state, gathered from its parts.
+struct PositionFaults {
+    std::uint64_t particles = 0; ///< looked at
+    ParticlesAtFault not_finite;
+    ParticlesAtFault too_far;
+    double coarsest_step = 0;   ///< of the usable ones (position_step), in support radii
+    std::uint64_t coarsest = 0; ///< whose that is
+};
+
+/// What checked_positions() returns for a part of a state, adding to the faults of the whole.
+std::vector<std::uint8_t> usable_positions(const Snapshot& snapshot, const SupportRadii& radii,
+                                           PositionFaults& faults);
+
+/// Throws InputError as checked_positions does; the snapshot says what type positions are stored
+/// in.
+void refuse_faults(const Snapshot& snapshot, const PositionFaults& faults);
+
+/// As doubtful_positions.
+std::string doubt_of(const Snapshot& snapshot, const PositionFaults& faults);
+
 /// 1 for each particle whose position can be worked with, else 0: it is finite, and not so far from
 /// the origin that the type it is stored in cannot tell it from its neighbors
 /// (runtime/neighbors/position_resolution.hpp). Throws InputError where there is a 0 (how many, and

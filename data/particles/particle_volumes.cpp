@@ -17,8 +17,20 @@ double kernel_scale(int dimension) {
     return dimension == 2 ? cubic_spline_scale<2> : cubic_spline_scale<3>;
 }
 
-/// h^D sum_j W_ij of each particle of a grid, itself included, in the grid's order. With
-/// `without_crowds`, NaN for those of a crowd in one place, whose volume says nothing.
+double median_radius(const SupportRadii& radii, const std::vector<std::uint8_t>& valid) {
+    std::vector<double> some;
+    for (std::size_t i = 0; radii.vary() && i < valid.size(); ++i)
+        if (valid[i] != 0)
+            some.push_back(radii.each[i]);
+    if (some.empty())
+        return radii.max;
+    const auto middle = some.begin() + static_cast<std::ptrdiff_t>(some.size() / 2);
+    std::nth_element(some.begin(), middle, some.end());
+    return *middle;
+}
+
+} // namespace
+
 std::vector<double> kernel_sums(const NeighborGrid& grid, const SupportRadii& radii, int dimension,
                                 int threads, bool without_crowds) {
     std::vector<double> sums(grid.size());
@@ -47,25 +59,23 @@ std::vector<double> kernel_sums(const NeighborGrid& grid, const SupportRadii& ra
     return sums;
 }
 
-double median_radius(const SupportRadii& radii, const std::vector<std::uint8_t>& valid) {
-    std::vector<double> some;
-    for (std::size_t i = 0; radii.vary() && i < valid.size(); ++i)
-        if (valid[i] != 0)
-            some.push_back(radii.each[i]);
-    if (some.empty())
-        return radii.max;
-    const auto middle = some.begin() + static_cast<std::ptrdiff_t>(some.size() / 2);
-    std::nth_element(some.begin(), middle, some.end());
-    return *middle;
+double spacing_ratio_of_sum(double quartile, const Snapshot& snapshot, const SupportRadii& radii) {
+    const double measured = std::pow(quartile, 1.0 / snapshot.dimension);
+    return snapshot.particle_spacing && !radii.vary()
+               ? std::max(measured, radii.max / *snapshot.particle_spacing)
+               : measured;
 }
 
-} // namespace
+std::optional<double> stored_spacing_ratio(const Snapshot& snapshot, const SupportRadii& radii) {
+    if (!snapshot.particle_volume || radii.vary())
+        return {};
+    return radii.max / std::pow(*snapshot.particle_volume, 1.0 / snapshot.dimension);
+}
 
 double measured_spacing_ratio(const Snapshot& snapshot, const SupportRadii& radii,
                               const std::vector<std::uint8_t>& valid, int threads) {
-    const double root = 1.0 / snapshot.dimension;
-    if (snapshot.particle_volume && !radii.vary())
-        return radii.max / std::pow(*snapshot.particle_volume, root);
+    if (const auto stored = stored_spacing_ratio(snapshot, radii))
+        return *stored;
     const NeighborGrid grid(snapshot.positions, radii, {&valid, nullptr}, threads);
     auto sums = kernel_sums(grid, radii, snapshot.dimension, threads, true);
     sums.erase(std::remove_if(sums.begin(), sums.end(), [](double sum) { return std::isnan(sum); }),
@@ -74,12 +84,9 @@ double measured_spacing_ratio(const Snapshot& snapshot, const SupportRadii& radi
         sums = kernel_sums(grid, radii, snapshot.dimension, threads, false);
     if (sums.empty())
         return 1;
-    const auto quartile = sums.begin() + static_cast<std::ptrdiff_t>(sums.size() * 3 / 4);
+    const auto quartile = sums.begin() + static_cast<std::ptrdiff_t>(quartile_place(sums.size()));
     std::nth_element(sums.begin(), quartile, sums.end());
-    const double measured = std::pow(*quartile, root);
-    return snapshot.particle_spacing && !radii.vary()
-               ? std::max(measured, radii.max / *snapshot.particle_spacing)
-               : measured;
+    return spacing_ratio_of_sum(*quartile, snapshot, radii);
 }
 
 double BoundaryWeights::of(std::size_t boundary_particle, double support_radius,

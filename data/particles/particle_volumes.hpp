@@ -4,10 +4,12 @@
 // the fluid at rest is stored by `meniscus simulate`, and otherwise measured in the same way.
 #pragma once
 
+#include "neighbor_search.hpp"
 #include "snapshot.hpp"
 #include "support_radii.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace meniscus {
@@ -24,6 +26,25 @@ inline constexpr double default_boundary_weight = 0.85;
 /// 0 takes all cores. Throws InputError as the neighbor search does.
 double measured_spacing_ratio(const Snapshot& snapshot, const SupportRadii& radii,
                               const std::vector<std::uint8_t>& valid, int threads);
+
+// Its parts, for a state that is worked on in parts:
+
+/// The ratio of the snapshot's particle_volume; nothing where it has to be measured.
+std::optional<double> stored_spacing_ratio(const Snapshot& snapshot, const SupportRadii& radii);
+
+/// h^D sum_j W_ij of each particle of a grid, itself included, in the grid's order. With
+/// `without_crowds`, NaN for those of a crowd in one place, whose volume says nothing.
+std::vector<double> kernel_sums(const NeighborGrid& grid, const SupportRadii& radii, int dimension,
+                                int threads, bool without_crowds);
+
+/// The place, in ascending order, of the sum that decides: among those that are numbers or, where
+/// none is, among those with crowds.
+inline std::uint64_t quartile_place(std::uint64_t sums) {
+    return sums * 3 / 4;
+}
+
+/// The ratio by that sum.
+double spacing_ratio_of_sum(double quartile, const Snapshot& snapshot, const SupportRadii& radii);
 
 struct BoundaryWeights {
     std::vector<double>

@@ -54,6 +54,9 @@ struct Snapshot {
     /// What made the data, as text by name (group `/meniscus` of the file). Never a date, a host,
     /// a path or a thread count: the same input and options give the same bytes.
     std::map<std::string, std::string> provenance;
+    /// Where only a part of a file's particles was read: how many there are before it, and in all.
+    std::uint64_t first_particle = 0;
+    std::uint64_t particles_in_file = 0;
     /// What a reader had to decide or leave out, for whoever reads the file; never written.
     std::vector<std::string> notes;
 

@@ -81,8 +81,8 @@ std::size_t read_some(int descriptor, char* bytes, std::size_t size, const fs::p
     return done;
 }
 
-[[noreturn]] void fail_to_write(const fs::path& file) {
-    throw FailureError(file.string() + ": writing failed, nothing was kept: " + errno_text());
+[[noreturn]] void fail_by_errno(const fs::path& file) {
+    meniscus::fail_to_write(file, errno);
 }
 
 /// True where the open file still has that name.
@@ -200,9 +200,11 @@ public:
             if (written >= 0)
                 bytes.remove_prefix(static_cast<std::size_t>(written));
             else if (errno != EINTR)
-                fail_to_write(name);
+                fail_by_errno(name);
         }
     }
+
+    [[nodiscard]] int number() const { return descriptor; }
 
     void rename_to_target() {
         if (!has_name(descriptor, partial)) // taken for a leftover before the lock was ours
@@ -211,7 +213,7 @@ public:
             take_rights(*replaced);
         // Without fsync a crash soon after could leave the name with nothing behind it.
         if (fsync(descriptor) != 0 || std::rename(partial.c_str(), target.c_str()) != 0)
-            fail_to_write(name);
+            fail_by_errno(name);
         renamed = true;
         const Descriptor folder(
             open(folder_of(target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
@@ -224,7 +226,7 @@ private:
         // Closed to others until it has the rights of what it replaces.
         const mode_t mode = replaced ? 0600 : 0666;
         const int made =
-            open(partial.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
+            open(partial.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
         if (made < 0)
             fail_to_create(name);
         return made;
@@ -309,6 +311,18 @@ void write_whole(const fs::path& file, std::string_view bytes) {
     PartialFile partial(file);
     partial.append(bytes);
     partial.rename_to_target();
+}
+
+void write_whole(const fs::path& file, const std::function<void(int)>& fill) {
+    check_can_be_written(file);
+    PartialFile partial(file);
+    fill(partial.number());
+    partial.rename_to_target();
+}
+
+void fail_to_write(const fs::path& file, int error) {
+    throw FailureError(file.string() +
+                       ": writing failed, nothing was kept: " + std::strerror(error));
 }
 
 } // namespace meniscus

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -39,5 +40,12 @@ void check_can_be_written(const std::filesystem::path& file);
 /// FailureError where another process is writing the same file or where writing fails midway
 /// (nothing is left behind then).
 void write_whole(const std::filesystem::path& file, std::string_view bytes);
+
+/// The same where `fill` writes, to a descriptor that is open for reading and writing. What it
+/// throws leaves nothing behind.
+void write_whole(const std::filesystem::path& file, const std::function<void(int)>& fill);
+
+/// Throws the FailureError of a file that cannot be written for that error of the system.
+[[noreturn]] void fail_to_write(const std::filesystem::path& file, int error);
 
 } // namespace meniscus
