@@ -1,5 +1,5 @@
-// The colors of classes in pictures, plots and pages (there in report/page/src/style.css): Okabe and
-// Ito's, which people of every color vision can tell apart.
+// The colors of classes in pictures, plots and pages (there in report/page/src/style.css): Okabe
+// and Ito's, which people of every color vision can tell apart.
 #pragma once
 
 #include <meniscus/data/drawing/image.hpp>

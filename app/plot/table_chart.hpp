@@ -12,8 +12,8 @@ namespace meniscus {
 
 struct TableChartOptions {
     std::string x; ///< column; empty: the time of a log
-    /// Columns, each with a panel of its own, or several of one panel with commas between. None: the
-    /// rows stand below each other, with their names.
+    /// Columns, each with a panel of its own, or several of one panel with commas between. None:
+    /// the rows stand below each other, with their names.
     std::vector<std::string> y;
     std::string series; ///< column of texts: rows of one text share a color; or empty
     std::string names;  ///< column of texts that stand at the points; or empty

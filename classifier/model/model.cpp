@@ -105,7 +105,8 @@ void read_training(const JsonReader& reader, Model& model) {
 
 /// How far outside the range, in units of the value; 0 inside.
 double excess(const Range& range, double value) {
-    // What is off by less than the digits that messages show, as measured spacings are, is no other.
+    // What is off by less than the digits that messages show, as measured spacings are, is no
+    // other.
     constexpr double tolerance = 5e-4;
     const double below = range.min * (1 - tolerance) - value;
     const double above = value - range.max * (1 + tolerance);
