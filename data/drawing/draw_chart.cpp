@@ -69,9 +69,9 @@ std::vector<double> values_of(const ChartPanel& panel, double ChartPoint::*coord
 struct PanelDrawing {
     const ChartPanel& panel;
     Scale x, y;
-    Frame frame = {};
+    DrawingFrame frame = {};
 
-    [[nodiscard]] Place place(const ChartPoint& point) const {
+    [[nodiscard]] DrawingPoint place(const ChartPoint& point) const {
         return {frame.low.x + x.share(point.x) * (frame.high.x - frame.low.x),
                 frame.high.y - y.share(point.y) * (frame.high.y - frame.low.y)};
     }
@@ -113,7 +113,8 @@ void add_axes(const PanelDrawing& drawn, Drawing& drawing) {
 }
 
 /// The part of a segment inside the frame; nothing where none is.
-std::optional<Stroke> clipped(Place a, Place b, const Frame& frame, Stroke stroke) {
+std::optional<Stroke> clipped(DrawingPoint a, DrawingPoint b, const DrawingFrame& frame,
+                              Stroke stroke) {
     double begin = 0;
     double end = 1;
     const auto keep = [&](double from, double to, double low, double high) {

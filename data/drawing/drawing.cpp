@@ -68,7 +68,7 @@ void blend(Image& image, int x, int y, const Color& color, double part) {
 /// Blends the color into the pixels of a box, by how far their middles are from what is drawn;
 /// `distance(x, y)` is negative inside.
 template <class Distance>
-void paint(Image& image, const Place& low, const Place& high, const Color& color,
+void paint(Image& image, const DrawingPoint& low, const DrawingPoint& high, const Color& color,
            const Distance& distance) {
     const auto within = [](double place, int end) {
         return static_cast<int>(std::clamp(place, 0.0, static_cast<double>(end)));
@@ -81,11 +81,12 @@ void paint(Image& image, const Place& low, const Place& high, const Color& color
         }
 }
 
-Place scaled(const Place& place) {
+DrawingPoint scaled(const DrawingPoint& place) {
     return {pixels * place.x, pixels * place.y};
 }
 
-void paint_segment(Image& image, const Place& a, const Place& b, const Stroke& stroke) {
+void paint_segment(Image& image, const DrawingPoint& a, const DrawingPoint& b,
+                   const Stroke& stroke) {
     const double radius = pixels * stroke.width / 2;
     const double squared = (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y);
     const auto distance = [&](double x, double y) {
@@ -103,7 +104,7 @@ void paint(Image& image, const Stroke& stroke) {
 }
 
 void paint(Image& image, const Dot& dot) {
-    const Place middle = scaled(dot.middle);
+    const DrawingPoint middle = scaled(dot.middle);
     const double radius = pixels * dot.radius;
     paint(image, {middle.x - radius, middle.y - radius}, {middle.x + radius, middle.y + radius},
           dot.color, [&](double x, double y) {

@@ -11,19 +11,19 @@
 namespace meniscus {
 
 /// To the right and downward from the upper left corner.
-struct Place {
+struct DrawingPoint {
     double x = 0;
     double y = 0;
 };
 
 struct Stroke {
-    std::vector<Place> points;
+    std::vector<DrawingPoint> points;
     Color color = ink;
     double width = 1;
 };
 
 struct Dot {
-    Place middle;
+    DrawingPoint middle;
     double radius = 1;
     Color color = ink;
     bool is_filled = true; ///< or a ring
@@ -33,7 +33,7 @@ struct Dot {
 enum class Anchor { begin, middle, end };
 
 struct Lettering {
-    Place place; ///< at half the letters' height
+    DrawingPoint place; ///< at half the letters' height
     std::string text;
     Color color = ink;
     Anchor anchor = Anchor::begin;
@@ -42,7 +42,7 @@ struct Lettering {
 
 /// Pixels, each a square of the drawing.
 struct Mosaic {
-    Place corner; ///< upper left
+    DrawingPoint corner; ///< upper left
     double cell = 1;
     Image cells;
 };

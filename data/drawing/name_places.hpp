@@ -10,7 +10,7 @@
 namespace meniscus {
 
 struct NamedPoint {
-    Place place;
+    DrawingPoint place;
     std::string name;      ///< may be empty: a point that names should leave free
     bool is_needed = true; ///< or left out where it finds no room
 };
@@ -20,13 +20,14 @@ struct NamePlace {
     bool is_far = false; ///< so far that a line should lead to the point
 };
 
-struct Frame {
-    Place low; ///< upper left
-    Place high;
+struct DrawingFrame {
+    DrawingPoint low; ///< upper left
+    DrawingPoint high;
 };
 
 /// One place for each point, in their order; where all is full, the least covered one, or an empty
 /// name. The earlier points have the first choice.
-std::vector<NamePlace> name_places(const std::vector<NamedPoint>& points, const Frame& frame);
+std::vector<NamePlace> name_places(const std::vector<NamedPoint>& points,
+                                   const DrawingFrame& frame);
 
 } // namespace meniscus

@@ -26,8 +26,8 @@ Chart chart_of(const std::vector<ChartPoint>& points, bool is_logarithmic) {
     return {"", {{"", {"x"}, {"y", is_logarithmic}, {{"", points}}}}};
 }
 
-std::vector<Place> dots_of(const Drawing& drawing) {
-    std::vector<Place> dots;
+std::vector<DrawingPoint> dots_of(const Drawing& drawing) {
+    std::vector<DrawingPoint> dots;
     for (const auto& shape : drawing.shapes)
         if (const auto* dot = std::get_if<Dot>(&shape))
             dots.push_back(dot->middle);

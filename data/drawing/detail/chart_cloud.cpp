@@ -27,7 +27,7 @@ Color color_of(const CellSum& sum, double max) {
 
 } // namespace
 
-Mosaic mosaic_of(const std::vector<Cloud>& clouds, const Frame& frame) {
+Mosaic mosaic_of(const std::vector<Cloud>& clouds, const DrawingFrame& frame) {
     const auto cells = [](double length) { return static_cast<int>(std::ceil(length / cell)); };
     Mosaic mosaic{frame.low, cell,
                   Image(cells(frame.high.x - frame.low.x), cells(frame.high.y - frame.low.y))};
@@ -35,7 +35,7 @@ Mosaic mosaic_of(const std::vector<Cloud>& clouds, const Frame& frame) {
     std::vector<CellSum> sums(image.pixels.size());
     double max = 0;
     for (const Cloud& cloud : clouds)
-        for (const Place& place : cloud.places) {
+        for (const DrawingPoint& place : cloud.places) {
             const double x = std::floor((place.x - frame.low.x) / cell);
             const double y = std::floor((place.y - frame.low.y) / cell);
             if (!(x >= 0 && y >= 0 && x < image.width && y < image.height))

@@ -10,10 +10,10 @@ namespace meniscus {
 
 struct Cloud {
     Color color = ink;
-    std::vector<Place> places = {};
+    std::vector<DrawingPoint> places = {};
 };
 
 /// Points outside the frame are left out.
-Mosaic mosaic_of(const std::vector<Cloud>& clouds, const Frame& frame);
+Mosaic mosaic_of(const std::vector<Cloud>& clouds, const DrawingFrame& frame);
 
 } // namespace meniscus
