@@ -49,7 +49,7 @@ TEST(Chart, OneNumberHasAPlaceInTheMiddle) {
     for (const bool is_logarithmic : {false, true})
         for (const double value : {0.0, 7.0, 1e-300}) {
             const Drawing drawing = draw_chart(chart_of({{value, value}}, is_logarithmic));
-            const Place dot = dots_of(drawing).at(0);
+            const DrawingPoint dot = dots_of(drawing).at(0);
             EXPECT_TRUE(dot.x > 0 && dot.x < drawing.width) << value;
             EXPECT_TRUE(dot.y > 0 && dot.y < drawing.height) << value;
         }
@@ -66,7 +66,7 @@ TEST(Names, CoverNeitherEachOtherNorPoints) {
     for (int k = 0; k < 30; ++k)
         points.push_back({{400 + 90 * std::sin(1.7 * k), 250 + 60 * std::cos(2.3 * k)},
                           "a name of some length " + std::to_string(k)});
-    const Frame frame{{0, 0}, {800, 500}};
+    const DrawingFrame frame{{0, 0}, {800, 500}};
     const auto places = name_places(points, frame);
     ASSERT_EQ(places.size(), points.size());
     const auto left = [](const Lettering& one) {
@@ -80,7 +80,7 @@ TEST(Names, CoverNeitherEachOtherNorPoints) {
                left(a) + lettering_width(a.text) <= left(b) + 0.01 ||
                left(b) + lettering_width(b.text) <= left(a) + 0.01;
     };
-    const auto covers = [&](const Lettering& name, const Place& place) {
+    const auto covers = [&](const Lettering& name, const DrawingPoint& place) {
         return std::abs(name.place.y - place.y) < lettering_height / 2 && place.x > left(name) &&
                place.x < left(name) + lettering_width(name.text);
     };
