@@ -12,36 +12,45 @@
 namespace meniscus {
 namespace {
 
-// Slopes of 2^-40 to 2^24, each octave in 4096 bins; what lies beyond is in the first or the last.
-constexpr int bin_bits = 12;
+// Slopes of 2^-40 to 2^24; what lies beyond is in the first bin or the last.
 constexpr int min_exponent = -40;
 constexpr int max_exponent = 24;
-constexpr std::size_t bin_count = std::size_t{max_exponent - min_exponent} << bin_bits;
 
 // Between events closer than this, rounding decides which particles are told apart.
 constexpr double narrowest = 1e-10;
 
 constexpr std::uint64_t max_sorted = std::uint64_t{1} << 28; ///< events, 16 bytes each
 
-/// The bin of a slope: its exponent and the first digits of its mantissa, so that bins are in the
-/// order of slopes whatever the rounding.
-std::size_t bin_of(double k) {
-    std::uint64_t bits = 0;
-    std::memcpy(&bits, &k, sizeof bits);
-    const auto place = static_cast<std::int64_t>(bits >> (52 - bin_bits)) -
-                       (std::int64_t{1023 + min_exponent} << bin_bits);
-    return static_cast<std::size_t>(
-        std::clamp<std::int64_t>(place, 0, static_cast<std::int64_t>(bin_count) - 1));
+/// Digits of a mantissa that bins tell apart, so that there are fewer bins than particles, and few
+/// particles in one.
+int digits_for(std::uint64_t particles) {
+    int digits = 2;
+    while (digits < 12 && std::uint64_t{1} << (digits + 14) < particles)
+        ++digits;
+    return digits;
 }
 
-/// What the events of each bin add up to.
+/// What the events of each bin add up to. A bin is an exponent and the first digits of a mantissa,
+/// so that bins are in the order of slopes whatever the rounding.
 struct Bins {
-    std::vector<std::uint64_t> begun = std::vector<std::uint64_t>(bin_count);  ///< weight
-    std::vector<std::uint64_t> ceased = std::vector<std::uint64_t>(bin_count); ///< weight
-    std::vector<std::uint64_t> events = std::vector<std::uint64_t>(bin_count);
-    std::vector<double> first =
-        std::vector<double>(bin_count, std::numeric_limits<double>::infinity());
-    std::vector<double> last = std::vector<double>(bin_count, 0);
+    int digits;
+    std::size_t count = std::size_t{max_exponent - min_exponent} << digits;
+    std::vector<std::uint64_t> begun = std::vector<std::uint64_t>(count);  ///< weight
+    std::vector<std::uint64_t> ceased = std::vector<std::uint64_t>(count); ///< weight
+    std::vector<std::uint64_t> events = std::vector<std::uint64_t>(count);
+    std::vector<double> first = std::vector<double>(count, std::numeric_limits<double>::infinity());
+    std::vector<double> last = std::vector<double>(count, 0);
+
+    explicit Bins(int its_digits) : digits(its_digits) {}
+
+    [[nodiscard]] std::size_t bin_of(double k) const {
+        std::uint64_t bits = 0;
+        std::memcpy(&bits, &k, sizeof bits);
+        const auto place = static_cast<std::int64_t>(bits >> (52 - digits)) -
+                           (std::int64_t{1023 + min_exponent} << digits);
+        return static_cast<std::size_t>(
+            std::clamp<std::int64_t>(place, 0, static_cast<std::int64_t>(count) - 1));
+    }
 
     void add(const SlopeEvent& event) {
         const std::size_t bin = bin_of(event.k);
@@ -103,14 +112,14 @@ private:
 std::vector<std::size_t> bins_to_sort(const Bins& bins, std::int64_t weight_at_zero,
                                       double max_slope, double unit) {
     Sweep between(weight_at_zero, unit);
-    for (std::size_t bin = 0; bin < bin_count; ++bin)
+    for (std::size_t bin = 0; bin < bins.count; ++bin)
         if (bins.events[bin] > 0)
             between.pass_over(bins, bin);
     between.go_to(max_slope, 0);
     std::vector<std::size_t> chosen;
     std::int64_t weight = weight_at_zero;
     std::uint64_t events = 0;
-    for (std::size_t bin = 0; bin < bin_count; ++bin) {
+    for (std::size_t bin = 0; bin < bins.count; ++bin) {
         if (bins.events[bin] > 1 && weight + bins.begun_in(bin) >= between.best.weight) {
             chosen.push_back(bin);
             events += bins.events[bin];
@@ -126,14 +135,14 @@ std::vector<std::size_t> bins_to_sort(const Bins& bins, std::int64_t weight_at_z
 }
 
 /// The events of all ranks that fall into chosen bins, sorted.
-std::vector<SlopeEvent> events_in(const std::vector<std::size_t>& chosen,
+std::vector<SlopeEvent> events_in(const std::vector<std::size_t>& chosen, const Bins& bins,
                                   const VisitEvents& visit_events, Ranks& ranks) {
-    std::vector<char> is_chosen(bin_count);
+    std::vector<char> is_chosen(bins.count);
     for (const std::size_t bin : chosen)
         is_chosen[bin] = 1;
     std::vector<SlopeEvent> events;
     visit_events([&](const SlopeEvent& event) {
-        if (is_chosen[bin_of(event.k)] != 0)
+        if (is_chosen[bins.bin_of(event.k)] != 0)
             events.push_back(event);
     });
     if (ranks.size() > 1) {
@@ -154,20 +163,20 @@ std::vector<SlopeEvent> events_in(const std::vector<std::size_t>& chosen,
 
 } // namespace
 
-SlopeChoice best_slope(const VisitEvents& visit_events, double max_slope, double slope_unit,
-                       Ranks& ranks) {
-    Bins bins;
+SlopeChoice best_slope(const VisitEvents& visit_events, std::uint64_t particles, double max_slope,
+                       double slope_unit, Ranks& ranks) {
+    Bins bins(digits_for(particles));
     std::vector<std::uint64_t> at_zero = {static_cast<std::uint64_t>(
         visit_events([&](const SlopeEvent& event) { bins.add(event); }))};
     ranks.sum(at_zero);
     bins.add_up(ranks);
     const auto weight_at_zero = static_cast<std::int64_t>(at_zero[0]);
     const auto chosen = bins_to_sort(bins, weight_at_zero, max_slope, slope_unit);
-    const auto events = events_in(chosen, visit_events, ranks);
+    const auto events = events_in(chosen, bins, visit_events, ranks);
     Sweep sweep(weight_at_zero, slope_unit);
     auto next_chosen = chosen.begin();
     auto event = events.begin();
-    for (std::size_t bin = 0; bin < bin_count; ++bin) {
+    for (std::size_t bin = 0; bin < bins.count; ++bin) {
         if (bins.events[bin] == 0)
             continue;
         if (next_chosen == chosen.end() || *next_chosen != bin) {
@@ -175,7 +184,7 @@ SlopeChoice best_slope(const VisitEvents& visit_events, double max_slope, double
             continue;
         }
         ++next_chosen;
-        for (; event != events.end() && bin_of(event->k) == bin; ++event)
+        for (; event != events.end() && bins.bin_of(event->k) == bin; ++event)
             sweep.go_to(event->k, event->weight);
     }
     sweep.go_to(max_slope, 0);

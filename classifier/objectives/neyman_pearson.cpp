@@ -229,11 +229,14 @@ std::int64_t visit_events(const Plane& plane, const std::vector<std::int64_t>& w
 /// The best slope in one plane.
 SlopeChoice choose_slope(const Plane& plane, const std::vector<std::int64_t>& weights,
                          const Hull& hull, double unit) {
+    std::uint64_t particles = 0;
+    for (const StateHead& head : plane.campaign.heads)
+        particles += head.particles;
     return best_slope(
         [&](const std::function<void(const SlopeEvent&)>& visit) {
             return visit_events(plane, weights, hull, visit);
         },
-        plane.max_slope, unit, *plane.campaign.ranks);
+        particles, plane.max_slope, unit, *plane.campaign.ranks);
 }
 
 /// What a feature spans: one where it is a fraction, else as far as the surface particles reach.

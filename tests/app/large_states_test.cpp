@@ -94,9 +94,9 @@ TEST_F(LargeStates, TrainingIsTheSame) {
         files.push_back(label(sample(name)));
     for (const Words& options :
          {Words{}, Words{"--features", "neighbor_count,mass_offset"}, Words{"--scene", "all"}}) {
-        succeed(Words{"train", "-o", folder / "whole.json", "--quiet"} + options + files);
+        succeed(Words{"train", "-o", folder / "whole.json", "--quiet"} + files + options);
         succeed(Words{"train", "-o", folder / "visits.json", "--quiet", "--memory", "40MB"} +
-                options + files);
+                files + options);
         EXPECT_EQ(bytes_of(folder / "whole.json"), bytes_of(folder / "visits.json"));
     }
     fail(2,

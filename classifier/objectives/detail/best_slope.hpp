@@ -31,10 +31,11 @@ struct SlopeChoice {
 /// 0 on. Called twice, with the same events.
 using VisitEvents = std::function<std::int64_t(const std::function<void(const SlopeEvent&)>&)>;
 
-/// The best slope from 0 to max_slope; angles are those of k / slope_unit. Throws FailureError
+/// The best slope from 0 to max_slope; angles are those of k / slope_unit. `particles` of all ranks
+/// says how many bins are worth their memory. Throws FailureError
 /// where more events than memory should be taken for lie so close to the best slope that they have
 /// to be sorted.
-SlopeChoice best_slope(const VisitEvents& visit_events, double max_slope, double slope_unit,
-                       Ranks& ranks);
+SlopeChoice best_slope(const VisitEvents& visit_events, std::uint64_t particles, double max_slope,
+                       double slope_unit, Ranks& ranks);
 
 } // namespace meniscus
