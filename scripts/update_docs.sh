@@ -134,7 +134,7 @@ if wanted studies; then # prints committed results; meniscus_study NAME --record
     prepare cmake --build build/release --target meniscus_study
     for result in validation/*/small.json; do
         study=$(basename "$(dirname "$result")")
-        fill "study-${study//_/-}" "$bin/meniscus_study" "$study" --show
+        fill "study-${study//_/-}" "$bin/meniscus_study" "$study" --show --plots docs/plots
     done
 fi
 if wanted contact-angles; then

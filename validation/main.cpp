@@ -24,6 +24,7 @@ struct StudyCommand {
     Path folder = "meniscus-study";
     std::string size = "small";
     int threads = 0;
+    Path plots;          ///< folder that those of a committed result are drawn into; empty: none
     bool show = false;   ///< the committed result, in place of a run
     bool check = false;  ///< holds the result against the committed one
     bool record = false; ///< commits the result
@@ -50,8 +51,16 @@ void draw_plots(const std::vector<Table>& tables, const Path& folder) {
             draw(table, plot, folder);
 }
 
-/// Prints the tables and, where a folder is given, writes them and draws their plots.
-void print_tables(const Study& study, const Json& result, const Path& folder) {
+/// Those of the tables, and those that belong to none.
+void draw_all(const Study& study, const std::vector<Table>& tables, const Json& result,
+              const Path& folder) {
+    draw_plots(tables, folder);
+    if (study.plots != nullptr)
+        draw_plots(study.plots(result), folder);
+}
+
+/// Prints the tables, which it returns, and writes them where a folder is given.
+std::vector<Table> print_tables(const Study& study, const Json& result, const Path& folder) {
     const Json reference =
         read_json(studies_folder / study.name / "reference.json", "a reference (JSON)");
     const std::vector<Table> tables = study.tables(result, reference);
@@ -59,17 +68,18 @@ void print_tables(const Study& study, const Json& result, const Path& folder) {
     for (const Table& table : tables)
         text += "\n" + table.before + markdown(table) + table.after;
     fmt::print("{}", text);
-    if (folder.empty())
-        return;
-    write_whole(folder / fmt::format("{}_{}.md", study.name, result.at("size").get<std::string>()),
-                text);
-    draw_plots(tables, folder);
-    if (study.plots != nullptr)
-        draw_plots(study.plots(result), folder);
+    if (!folder.empty())
+        write_whole(folder /
+                        fmt::format("{}_{}.md", study.name, result.at("size").get<std::string>()),
+                    text);
+    return tables;
 }
 
 void show(const Study& study, const StudyCommand& command) {
-    print_tables(study, read_json(committed_file(study, command.size), "a result (JSON)"), {});
+    const Json result = read_json(committed_file(study, command.size), "a result (JSON)");
+    const std::vector<Table> tables = print_tables(study, result, {});
+    if (!command.plots.empty())
+        draw_all(study, tables, result, command.plots);
 }
 
 /// Exit status.
@@ -105,7 +115,6 @@ int run(const Study& study, const StudyCommand& command) {
         show(study, command);
         return 0;
     }
-    require_gnuplot();
     const StudyPlan plan = read_plan(studies_folder / study.name, command.size);
     const StudyOptions options = options_of(study, command);
     std::signal(SIGINT, interrupt);
@@ -115,7 +124,7 @@ int run(const Study& study, const StudyCommand& command) {
     write_whole(options.work.string() + ".json", text);
     if (command.record)
         write_whole(committed_file(study, command.size), text);
-    print_tables(study, result, command.folder);
+    draw_all(study, print_tables(study, result, command.folder), result, command.folder);
     return command.check ? check(study, plan, result, command) : 0;
 }
 
@@ -130,6 +139,9 @@ void add(const Study& study, StudyCommand& command, CLI::App& program, int& stat
     verb->add_option("--threads", command.threads, "0: all cores")->check(CLI::Range(0, 4096));
     verb->add_flag("--keep-frames", command.keep_frames, "Keep the frames of all runs");
     auto* shows = verb->add_flag("--show", command.show, "Print the committed result; run nothing");
+    verb->add_option("--plots", command.plots, "Existing folder to draw its plots into")
+        ->check(CLI::ExistingDirectory)
+        ->needs(shows);
     auto* checks = verb->add_flag("--check", command.check,
                                   "Exit with 1 where the result differs from the committed one");
     verb->add_flag("--record", command.record, "Write the result to validation/ as well")
