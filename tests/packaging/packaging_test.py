@@ -20,7 +20,7 @@ VERSION = re.search(r'MENISCUS_VERSION "([\d.]+)"',
 LIBRARIES = {"CLI11": ("cli11", "cli11"), "Eigen3": ("eigen", "eigen3"), "fmt": ("fmt", "fmt"),
              "HDF5": ("hdf5", "hdf5"), "nlohmann_json": ("nlohmann-json", "nlohmann-json"),
              "OpenSSL": ("openssl", "openssl"), "ZLIB": ("zlib-api", "zlib"), "zstd": ("zstd", "zstd"),
-             "OpenMP": (None, None), "Torch": ("py-torch", None),
+             "MPI": (None, None), "OpenMP": (None, None), "Torch": ("py-torch", None),
              "Python": ("python", None), "pybind11": ("py-pybind11", None)}
 # Folders that make what is installed.
 INSTALLED = ("app", "bindings", "classifier", "data", "labeler", "sph")
