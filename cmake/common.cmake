@@ -21,8 +21,8 @@ function(meniscus_library name)
 endfunction()
 
 # meniscus_compile_alone(SOURCES...): files that share names within themselves with a neighbor (each file
-# format has its header). All others can be compiled several at a time, which from nothing takes half as
-# long: -DCMAKE_UNITY_BUILD=ON, as the scripts do.
+# format has its header). All others can be compiled several at a time, so that headers are read less
+# often: -DCMAKE_UNITY_BUILD=ON, as the scripts do.
 function(meniscus_compile_alone)
     set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()

@@ -164,8 +164,17 @@ int run_program(int argument_count, char** arguments) {
     try {
         program.parse(argument_count, arguments);
         return status;
+    } catch (const CLI::RequiredError&) {
+        std::string names;
+        for (const Study& study : all_studies())
+            names += std::string(names.empty() ? "" : ", ") + study.name;
+        fmt::print(stderr, "meniscus_study: expected a study: {}\n", names);
+        return 2;
     } catch (const CLI::ParseError& error) {
-        return error.get_exit_code() == 0 ? program.exit(error) : (program.exit(error), 2);
+        if (error.get_exit_code() == 0) // --help
+            return program.exit(error);
+        fmt::print(stderr, "meniscus_study: {} (see meniscus_study --help)\n", error.what());
+        return 2;
     } catch (const Stopped&) {
         fmt::print(stderr, "meniscus_study: stopped; the same command goes on from here\n");
         return 130;

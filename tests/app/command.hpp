@@ -69,6 +69,24 @@ protected:
 
     Outcome run(const Words& words) const { return finish(start(words)); }
 
+    /// What runs a command beside a disk of its own at the folder, which holds `filler` bytes in a
+    /// file of that name, and is listed on standard output in the end. None where mounting is not
+    /// permitted.
+    [[nodiscard]] Words on_small_disk(const Path& disk, const std::string& size,
+                                      const std::string& filler) const {
+        const std::string script = R"(mount -t tmpfs -o "size=$1" none "$0" || exit
+            head -c "$2" /dev/zero > "$0/filler" && shift 2 || exit
+            "$@"
+            status=$?
+            ls -A "$0"
+            exit $status)";
+        std::filesystem::create_directory(disk);
+        const Words on_disk = {
+            "unshare", "--user", "--map-root-user", "--mount", "sh", "-c", script, disk, size};
+        const bool works = run(on_disk + Words{"1", "true"}).output == "filler\n";
+        return works ? on_disk + Words{filler} : Words{};
+    }
+
     /// Runs the command; it must succeed without a warning. Returns what it prints.
     std::string succeed(const Words& words) const {
         const Outcome outcome = run(program + words);
