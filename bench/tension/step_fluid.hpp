@@ -35,6 +35,7 @@ public:
         fluid.place.back() = {low.x - 10, low.y - 10, low.z - 10, 0};
         fluid.velocity.back() = {0, 0, 0, 1}; // a density to divide by
         fluid.wall_place = {fluid.place.back()};
+        fluid.wall_normal.resize(1);
         take_lists(lists);
         find_densities(fluid);
     }
@@ -53,6 +54,7 @@ private:
         fluid.density.resize(count);
         fluid.wall_density.resize(count);
         fluid.wall_gradient.resize(count);
+        fluid.wall_ahead.resize(count);
         for (std::size_t i = 0; i < count; ++i)
             fluid.id.push_back(static_cast<std::uint32_t>(i));
     }

@@ -125,12 +125,21 @@ struct StepUnits {
     Place origin{};            ///< m; places are relative to it
 };
 
+/// By how much of W wall particles count at a height over their plane (wall_layer.hpp).
+template <class Real>
+struct WallShare {
+    Real inverse_spacing = 1; ///< of the fluid at rest, in support radii
+    Real steepness = 0;       ///< how fast it falls with the height at one spacing, per spacing
+    Real far = 1;             ///< what it ends at
+};
+
 template <class Real, int Dimension>
 struct Fluid {
     StepUnits units;
     KernelKind kernel = KernelKind::cubic_spline;
     ParticleLoop loop;
-    Real mass = 0; ///< of each particle
+    Real mass = 0;      ///< of each particle
+    double spacing = 1; ///< of particles at rest
 
     std::size_t count = 0; ///< of particles; arrays with one more entry end in one far from all
     std::vector<Row<Real>> place;    ///< one more; w is free for a loop's own use
@@ -142,9 +151,12 @@ struct Fluid {
     std::vector<Row<Real>> acceleration; ///< of all forces but pressure
     std::vector<Real> density;           ///< walls included
     std::vector<Real> wall_density;      ///< the walls' part of it
-    /// Sum over the wall particles of psi_b grad W_ib (Akinci et al. 2012): all that a pressure
-    /// solver needs of walls at rest.
+    /// The gradient of wall_density (Akinci et al. 2012): all that a pressure solver needs of walls
+    /// at rest.
     std::vector<Row<Real>> wall_gradient;
+    /// What walls would add if they counted wholly wherever they are (wall_layer.hpp): gradient,
+    /// and in w the density. It reaches farther, and tells what is about to run into a wall.
+    std::vector<Row<Real>> wall_ahead;
     /// How low the pressure of each particle may be where negative ones are clipped, as p / rho^2:
     /// 0, or, next to a concave surface, what surface tension pulls with, since nothing else holds
     /// what it pulls at.
@@ -158,6 +170,9 @@ struct Fluid {
 
     std::vector<Row<Real>> wall_place; ///< w: psi_b = V_b, relative to the rest density; one more
     LaneLists wall_neighbors;          ///< of fluid particles
+    std::vector<Row<Real>>
+        wall_normal; ///< one a place, to either side; w: 1 flat to 0 (wall_layer.hpp)
+    WallShare<Real> wall_share;
     std::vector<float> wall_contact_angle; ///< one a place, degrees; empty: none of their own
     /// What psi_b is over 1 / sum_b' W_bb', the volume that classifiers weigh wall particles by
     /// (runtime/neighbors/boundary.hpp).

@@ -4,7 +4,7 @@
 // nothing for them.
 #pragma once
 
-#include "fluid.hpp"
+#include "wall_layer.hpp"
 
 namespace meniscus {
 inline namespace MENISCUS_INSTRUCTION_SET {
@@ -23,18 +23,41 @@ MENISCUS_INLINE Real fluid_density(const Fluid<Real, Dimension>& fluid, std::siz
     return fluid.mass * sum_of_lanes(sum);
 }
 
-/// Sets what walls at rest contribute (Akinci et al. 2012, eqs. 6 and 9).
+/// What the walls around particle i add to its density, were it at `place` (Akinci et al. 2012,
+/// eqs. 6 and 9, by the shares of wall_layer.hpp): the gradient, and in w the density itself.
 template <class Real, int Dimension, class Kernel>
-MENISCUS_INLINE void find_wall_sums(Fluid<Real, Dimension>& fluid, std::size_t i,
-                                    const Kernel& kernel) {
+MENISCUS_INLINE Row<Real> wall_sums(const Fluid<Real, Dimension>& fluid, std::size_t i,
+                                    const Row<Real>& place, const Kernel& kernel) {
+    Lanes<Real> density{};
+    VectorSum<Real, Dimension> gradient;
+    visit_lists<Real, Dimension>(fluid.wall_place.data(), place, fluid.wall_neighbors, i,
+                                 [&](const NeighborLanes<Real, Dimension>& lanes) {
+                                     const WallLanes<Real> walls = wall_lanes(fluid, kernel, lanes);
+                                     density += walls.density;
+                                     gradient.add(walls.along_step, lanes.step);
+                                     gradient.sum[0] += walls.along_normal * walls.normal.x;
+                                     gradient.sum[1] += walls.along_normal * walls.normal.y;
+                                     if constexpr (Dimension == 3)
+                                         gradient.sum[2] += walls.along_normal * walls.normal.z;
+                                 });
+    Row<Real> sums = gradient.total();
+    sums.w = sum_of_lanes(density);
+    return sums;
+}
+
+/// The same where walls count wholly.
+template <class Real, int Dimension, class Kernel>
+MENISCUS_INLINE Row<Real> whole_wall_sums(const Fluid<Real, Dimension>& fluid, std::size_t i,
+                                          const Kernel& kernel) {
     Lanes<Real> density{};
     VectorSum<Real, Dimension> gradient;
     visit_walls(fluid, i, [&](const NeighborLanes<Real, Dimension>& lanes) {
         density += lanes.w * kernel.value(lanes.distance_squared);
         gradient.add(lanes.w * kernel.gradient(lanes.distance_squared), lanes.step);
     });
-    fluid.wall_density[i] = sum_of_lanes(density);
-    fluid.wall_gradient[i] = gradient.total();
+    Row<Real> sums = gradient.total();
+    sums.w = sum_of_lanes(density);
+    return sums;
 }
 
 /// Sets densities (also beside the velocities), what walls contribute, and slopes. Returns whether
@@ -56,7 +79,9 @@ bool find_densities(Fluid<Real, Dimension>& fluid) {
             Lanes<Real> nearest = all_lanes<Lanes<Real>>(1);
             for (std::size_t i = begin; i < end; ++i) {
                 fluid.slopes[i] = slopes;
-                find_wall_sums(fluid, i, kernel);
+                fluid.wall_gradient[i] = wall_sums(fluid, i, fluid.place[i], kernel);
+                fluid.wall_density[i] = fluid.wall_gradient[i].w;
+                fluid.wall_ahead[i] = whole_wall_sums(fluid, i, kernel);
                 fluid.density[i] =
                     fluid_density(fluid, i, kernel, slopes, nearest) + fluid.wall_density[i];
                 fluid.velocity[i].w = fluid.density[i];
@@ -72,7 +97,7 @@ bool find_densities(Fluid<Real, Dimension>& fluid) {
 
 /// -m sum_j (s_i + s_j) grad W_ij, s being the w of the particles' places, and the walls' part:
 /// with s = p / rho^2 the acceleration by pressure p that keeps momentum (Akinci et al. 2012, eq.
-/// 10 for the walls, which mirror the pressure).
+/// 10 for the walls).
 template <class Real, int Dimension>
 MENISCUS_INLINE Row<Real> pressure_acceleration(const Fluid<Real, Dimension>& fluid,
                                                 std::size_t i) {

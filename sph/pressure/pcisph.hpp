@@ -24,9 +24,14 @@ public:
         SolveReport report;
         std::fill(this->pressure.begin(), this->pressure.end(), Real(0));
         acceleration.assign(fluid.count, {});
+        if (relaxation_share == 0)
+            relaxation_share = stable_share(fluid);
         with_kernel<Real, Dimension>(fluid.kernel, [&](auto kernel) {
+            // eq. 8; on a lattice sum_j grad W vanishes
+            const auto gradients =
+                static_cast<Real>(lattice_gradients<Real, Dimension>(kernel, fluid.spacing));
             const Real step =
-                relaxation / (2 * dt * dt * fluid.mass * fluid.mass * rest_gradients(kernel));
+                relaxation_share * relaxation / (2 * dt * dt * fluid.mass * fluid.mass * gradients);
             for (;; ++report.iterations) {
                 predict(fluid, dt);
                 report.error = update(fluid, kernel, step);
@@ -51,26 +56,9 @@ private:
     /// tension particles lie closer, where all of it overshoots and throws some out.
     static constexpr Real relaxation = 0.5;
 
+    Real relaxation_share = 0; ///< 0: not known yet
     std::vector<Row<Real>> acceleration;
     std::vector<Row<Real>> predicted; ///< places; one more than particles
-
-    /// sum_j grad W . sum_j grad W + sum_j grad W . grad W of a particle inside a lattice at rest
-    /// (eq. 8), where the first vanishes.
-    template <class Kernel>
-    Real rest_gradients(const Kernel& kernel) const {
-        const double spacing = this->rest_spacing;
-        const int reach = static_cast<int>(1 / spacing) + 1;
-        double sum = 0;
-        for (int x = -reach; x <= reach; ++x)
-            for (int y = -reach; y <= reach; ++y)
-                for (int z = Dimension == 3 ? -reach : 0; z <= (Dimension == 3 ? reach : 0); ++z) {
-                    const double squared = spacing * spacing * (x * x + y * y + z * z);
-                    const double slope = static_cast<double>(
-                        kernel.gradient(all_lanes<Lanes<Real>>(static_cast<Real>(squared)))[0]);
-                    sum += slope * slope * squared;
-                }
-        return static_cast<Real>(sum);
-    }
 
     void predict(const FluidType& fluid, Real dt) {
         predicted.resize(fluid.count + 1);
@@ -91,13 +79,8 @@ private:
                                          [&](const NeighborLanes<Real, Dimension>& lanes) {
                                              sum += kernel.value(lanes.distance_squared);
                                          });
-            Lanes<Real> walls{};
-            visit_lists<Real, Dimension>(
-                fluid.wall_place.data(), predicted[i], fluid.wall_neighbors, i,
-                [&](const NeighborLanes<Real, Dimension>& lanes) {
-                    walls += lanes.w * kernel.value(lanes.distance_squared);
-                });
-            const Real excess = fluid.mass * sum_of_lanes(sum) + sum_of_lanes(walls) - 1;
+            const Real excess =
+                fluid.mass * sum_of_lanes(sum) + wall_sums(fluid, i, predicted[i], kernel).w - 1;
             this->pressure[i] =
                 std::max(this->pressure[i] + step * excess, min_pressure(fluid, i, clips));
             return std::max(excess, Real(0));

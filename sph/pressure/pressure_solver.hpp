@@ -10,6 +10,8 @@
 // -dt^2 (|g_i|^2 + m^2 sum_j |grad W_ij|^2) with g_i = m sum_j grad W_ij and the walls' part.
 #pragma once
 
+#include "lattice_waves.hpp"
+
 #include <meniscus/sph/fluid/pair_sums.hpp>
 #include <meniscus/sph/scene/methods.hpp>
 
@@ -29,9 +31,7 @@ class PressureSolver {
 public:
     using FluidType = Fluid<Real, Dimension>;
 
-    /// `spacing`: of the particles at rest, in support radii.
-    PressureSolver(const PressureOptions& solver_options, double spacing)
-        : options(solver_options), rest_spacing(spacing) {}
+    explicit PressureSolver(const PressureOptions& solver_options) : options(solver_options) {}
     virtual ~PressureSolver() = default;
 
     /// After neighbors and densities of a step are known.
@@ -50,7 +50,6 @@ public:
 
 protected:
     PressureOptions options;
-    double rest_spacing;
 };
 
 /// The lowest pressure of a particle, as p / rho^2.
@@ -72,6 +71,8 @@ public:
 
     /// Sets the diagonal.
     void prepare(const FluidType& fluid) {
+        if (relaxation_share == 0)
+            relaxation_share = stable_share(fluid);
         inverse_diagonal.resize(fluid.count);
         acceleration.assign(fluid.count + 1, {});
         source.resize(fluid.count);
@@ -106,7 +107,8 @@ public:
         SolveReport report;
         // With momentum, steps must stay below half of what is stable without.
         const double share = options.accelerate ? 0.6 : 1;
-        const Real step = static_cast<Real>(share * options.relaxation) / (dt * dt);
+        const Real step =
+            relaxation_share * static_cast<Real>(share * options.relaxation) / (dt * dt);
         const bool clips = options.clip_negative;
         before = pressure;
         double age = 1; // of the momentum of the pressures, in iterations
@@ -126,6 +128,7 @@ public:
     }
 
 private:
+    Real relaxation_share = 0; ///< of one fluid; 0: not known yet
     std::vector<Real> inverse_diagonal;
     std::vector<Real> source;
     std::vector<Real> before; ///< pressures of the last iteration, before they were extrapolated

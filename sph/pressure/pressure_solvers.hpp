@@ -16,13 +16,10 @@ using PressureSolvers = MethodList<PressureSolver<Real, Dimension>, //
                                    Iisph<Real, Dimension>,          //
                                    Dfsph<Real, Dimension>>;
 
-/// The solver that the options name; `spacing` of the particles at rest, in support radii. Throws
-/// InputError where there is none of that name.
+/// The solver that the options name. Throws InputError where there is none of that name.
 template <class Real, int Dimension>
-std::unique_ptr<PressureSolver<Real, Dimension>> make_solver(const PressureOptions& options,
-                                                             double spacing) {
-    return PressureSolvers<Real, Dimension>::make(pressure_solver_place(options.solver), options,
-                                                  spacing);
+std::unique_ptr<PressureSolver<Real, Dimension>> make_solver(const PressureOptions& options) {
+    return PressureSolvers<Real, Dimension>::make(pressure_solver_place(options.solver), options);
 }
 
 } // namespace MENISCUS_INSTRUCTION_SET

@@ -36,8 +36,9 @@ void read_sampling_density(const JsonReader& reader, TensionOptions& options) {
 } // namespace
 
 std::vector<std::string> meniscus_option_keys() {
-    std::vector<std::string> keys = {"balance_momentum", "contact_friction", "paper",
-                                     "model_file",       "sampling_density", "min_samples"};
+    std::vector<std::string> keys = {
+        "balance_momentum", "contact_friction", "ripple_damping", "paper",
+        "model_file",       "sampling_density", "min_samples"};
     for_each_surface_option([&](const auto& option) {
         if (!comes_with_scene(option.name))
             keys.emplace_back(option.name);
@@ -48,6 +49,7 @@ std::vector<std::string> meniscus_option_keys() {
 void read_meniscus_options(const JsonReader& reader, TensionOptions& options) {
     take(reader, "balance_momentum", options.balance_momentum);
     take(reader, "contact_friction", 0, 2, options.contact_friction);
+    take(reader, "ripple_damping", 0, 0.5, options.ripple_damping);
     read_sampling_density(reader, options);
     if (reader.has("paper") && reader.truth("paper"))
         options.surface = paper_options();

@@ -107,6 +107,8 @@ struct TensionOptions {
     /// Of contact lines with walls, over sqrt(rho sigma spacing), N s/m^2 (in 2D N s/m); 0: none. A
     /// line that slips freely rattles over the single particles of a wall.
     double contact_friction = 2;
+    /// Of waves as short as the spacing (tension/ripples.hpp), 0 to 0.5; 0: none.
+    double ripple_damping = 0.3;
     /// Of the classifier that `surface` is to have in place of the one that ships; whoever runs the
     /// scene reads it (app/scene_model.hpp). Empty: none.
     std::filesystem::path model_file;

@@ -79,6 +79,7 @@ Json json_of(const TensionOptions& options) {
                  {"adhesion", options.adhesion},
                  {"balance_momentum", options.balance_momentum},
                  {"contact_friction", options.contact_friction},
+                 {"ripple_damping", options.ripple_damping},
                  {"sampling_density", options.sampling_density},
                  {"min_samples", options.min_samples}};
     for_each_surface_option([&](const auto& option) {

@@ -10,7 +10,6 @@
 #include "velocity_change.hpp"
 
 #include <meniscus/sph/fluid/coincident.hpp>
-#include <meniscus/sph/fluid/flat_wall.hpp>
 #include <meniscus/sph/fluid/neighbor_lists.hpp>
 #include <meniscus/sph/fluid/viscosity.hpp>
 #include <meniscus/sph/pressure/pressure_solvers.hpp>
@@ -51,8 +50,8 @@ public:
         const double h = scene.support_radius;
         fluid.mass =
             static_cast<Real>(particles.mass / (scene.rest_density * std::pow(h, Dimension)));
-        const double spacing = scene.particle_spacing / h;
-        solver = make_solver<Real, Dimension>(scene.pressure, spacing);
+        fluid.spacing = scene.particle_spacing / h;
+        solver = make_solver<Real, Dimension>(scene.pressure);
         const double rest_spacing = 1 / spacing_ratio(scene);
         tension =
             make_tension_model<Real, Dimension>(scene.surface_tension, fluid.units, rest_spacing);
@@ -170,7 +169,7 @@ private:
     Cells<Real> cells;
     Cells<Real> wall_cells;
     std::vector<std::uint8_t> near_walls; ///< for each cell of the walls
-    Real contact_density = 0;             ///< that a flat wall has half a spacing away
+    Real contact_density = 0;             ///< by walls, that no approach goes beyond
     ListBuffers buffers;
     ListBuffers wall_buffers;
     std::vector<std::uint32_t> cell_of;
@@ -195,8 +194,7 @@ private:
         return {layout.low[0] - 10, layout.low[1] - 10, layout.low[2] - 10, 0};
     }
 
-    /// Sorts the walls and gives each particle its volume: the smaller, the more others are around
-    /// (Akinci et al. 2012, eq. 4).
+    /// Sorts the walls and says what each particle counts.
     void add_walls(const Positions& walls) {
         rows.resize(walls.size());
         for (std::size_t b = 0; b < walls.size(); ++b)
@@ -212,24 +210,7 @@ private:
         find_lists<Real, Dimension>(wall_cells, fluid.wall_place.data(), walls.size(), true,
                                     static_cast<std::uint32_t>(walls.size()), fluid.loop,
                                     wall_buffers, lists);
-        with_kernel<Real, Dimension>(fluid.kernel, [&](auto kernel) {
-            const double spacing = scene.particle_spacing / scene.support_radius;
-            const Real flat = flat_wall_volume<Real, Dimension>(kernel, spacing);
-            const auto flat_sum = static_cast<Real>(layer_sum<Real, Dimension>(kernel, spacing, 0));
-            fluid.wall_volume_share = flat * flat_sum;
-            contact_density =
-                flat * static_cast<Real>(layer_sum<Real, Dimension>(kernel, spacing, 0.5));
-            fluid.loop.each(walls.size(), [&](std::size_t b) {
-                Lanes<Real> sum = kernel.value(Lanes<Real>{}) * Lanes<Real>{1, 0, 0, 0, 0, 0, 0, 0};
-                visit_lists<Real, Dimension>(fluid.wall_place.data(), fluid.wall_place[b], lists, b,
-                                             [&](const NeighborLanes<Real, Dimension>& lanes) {
-                                                 sum += kernel.value(lanes.distance_squared);
-                                             });
-                rows[b].w = fluid.wall_volume_share / sum_of_lanes(sum);
-            });
-        });
-        for (std::size_t b = 0; b < walls.size(); ++b)
-            fluid.wall_place[b].w = rows[b].w;
+        contact_density = weigh_walls(fluid, lists);
     }
 
     /// In the order of the walls, which `order` has of add_walls().
@@ -247,6 +228,7 @@ private:
         fluid.min_pressure.assign(count, 0);
         fluid.wall_density.resize(count);
         fluid.wall_gradient.resize(count);
+        fluid.wall_ahead.resize(count);
         fluid.id.resize(count);
         solver->pressure.resize(count);
         solver->divergence.resize(count);
@@ -450,15 +432,29 @@ private:
     /// keeps a fluid farther off, but a particle alone is as dense as the fluid at rest only when
     /// it is within the wall, and would pass.
     void stop_at_walls(Real dt) {
-        fluid.loop.each(fluid.count, [&](std::size_t i) {
-            const Row<Real>& gradient = fluid.wall_gradient[i];
-            const Real approach = dot_rows(fluid.velocity[i], gradient);
-            const Real excess = fluid.wall_density[i] + dt * approach - contact_density;
-            if (approach > 0 && excess > 0)
-                fluid.velocity[i] =
-                    plus(fluid.velocity[i],
-                         -std::min(excess / dt, approach) / dot_rows(gradient, gradient), gradient);
+        with_kernel<Real, Dimension>(fluid.kernel, [&](auto kernel) {
+            fluid.loop.each(fluid.count, [&](std::size_t i) {
+                const Row<Real>& ahead = fluid.wall_ahead[i];
+                if (ahead.w == 0)
+                    return;
+                stop_approach(i, dt, ahead, ahead.w + dt * dot_rows(fluid.velocity[i], ahead));
+                // Close to a wall, density grows too fast for a gradient to tell.
+                const Row<Real> place = plus(fluid.place[i], dt, fluid.velocity[i]);
+                const Row<Real> there = wall_sums(fluid, i, place, kernel);
+                stop_approach(i, dt, there, there.w);
+            });
         });
+    }
+
+    /// Takes so much of the velocity along `gradient` out as leads to a larger `density` by walls
+    /// than there may be after dt.
+    void stop_approach(std::size_t i, Real dt, const Row<Real>& gradient, Real density) {
+        const Real approach = dot_rows(fluid.velocity[i], gradient);
+        const Real excess = density - contact_density;
+        if (approach > 0 && excess > 0)
+            fluid.velocity[i] =
+                plus(fluid.velocity[i],
+                     -std::min(excess / dt, approach) / dot_rows(gradient, gradient), gradient);
     }
 
     void move(SimulationState& state, double dt) {

@@ -2,6 +2,7 @@
 // classifier's features come from the same lists, eight neighbors at a time.
 #pragma once
 
+#include "ripples.hpp"
 #include "tension_model.hpp"
 
 #include <meniscus/runtime/surface/surface_tension.hpp>
@@ -157,6 +158,8 @@ public:
             sum = plus(sum, inverse_mass, row);
         });
         slow_contact_lines(fluid);
+        damp_ripples(surface, this->options.ripple_damping, tension.options().surface_tension,
+                     1 / tension.options().spacing_ratio, fluid, speeds);
         allow_suction(fluid);
     }
 
@@ -188,6 +191,7 @@ public:
 private:
     SurfaceTension<Real, Dimension> tension;
     std::vector<std::uint8_t> candidate;
+    std::vector<Real> speeds; ///< of ripples
 
     void find_surface_forces(FluidType& fluid) {
         find_candidates_in_lanes(fluid, tension.options(), candidate);
@@ -224,10 +228,15 @@ private:
         });
     }
 
-    /// Next to a concave surface the pressure may be as low as the capillary one, (D - 1) sigma
-    /// kappa: it is what holds the particles that such a surface pulls out of the fluid.
+    /// A fluid that is clipped where it pulls on itself tears: next to a concave surface, whose
+    /// particles nothing else holds, and where a drop swings back and its flat side is left behind.
+    /// So the pressure may be a little below zero everywhere, and twice the capillary one,
+    /// (D - 1) sigma kappa, next to a concave surface.
     void allow_suction(FluidType& fluid) const {
-        fluid.min_pressure.assign(fluid.count, 0);
+        constexpr Real everywhere = Real(-0.05); // h kappa; four times that lets walls rattle
+        const auto least =
+            (Dimension - 1) * everywhere * static_cast<Real>(tension.options().surface_tension);
+        fluid.min_pressure.assign(fluid.count, least);
         constexpr Real concave = Real(-0.15); // h kappa; less is the scatter of flat surfaces
         const auto& surface = tension.surface();
         const auto sigma = static_cast<Real>(tension.options().surface_tension);

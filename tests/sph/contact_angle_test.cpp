@@ -66,10 +66,51 @@ TEST(ContactAngle, ALayerAsThinAsWaterRestsSinceItsContactLinesHaveFriction) {
     scene.gravity = {0, -9.81, 0};
     scene.fluid = {{BoxShape{{0, 0, 0}, {4e-3, 3e-3, 0}, {}}, {}}};
     scene.walls = {BoxShape{{-5e-5, -5e-5, 0}, {4.05e-3, 6e-3, 0}, {"+y"}}};
+    for (const double courant_factor : {1.0, 0.8}) { // what rattles, does so at one of them
+        scene.time_step.courant_factor = courant_factor;
+        const auto simulation = start(scene);
+        EXPECT_LT(largest_energy(*simulation, 0.05), 1.005);
+        EXPECT_LT(simulation->balance().max_speed, 0.1);
+        EXPECT_EQ(simulation->size(), 1200U);
+    }
+}
+
+/// Of a wide tank, at 120 degrees: the contact line lies lower than the middle by
+/// sqrt(2 (1 - sin theta)) capillary lengths, a twentieth less one spacing off the wall.
+TEST(ContactAngle, AMeniscusThatDoesNotWetComesToRest) {
+    constexpr double coarse = 2.5e-4;
+    Scene scene = water_scene(120, 2e-5);
+    scene.particle_spacing = coarse;
+    scene.support_radius = 2 * coarse;
+    scene.time_step.max = default_max_time_step(coarse);
+    scene.gravity = {0, -9.81, 0};
+    scene.fluid = {{BoxShape{{0, 0, 0}, {16e-3, 5e-3, 0}, {}}, {}}};
+    scene.walls = {BoxShape{{-coarse / 2, -coarse / 2, 0}, {16e-3 + coarse / 2, 16e-3, 0}, {"+y"}}};
     const auto simulation = start(scene);
-    EXPECT_LT(largest_energy(*simulation, 0.05), 1.005);
-    EXPECT_LT(simulation->balance().max_speed, 0.1);
-    EXPECT_EQ(simulation->size(), 1200U);
+    run_until(*simulation, 0.25);
+    EXPECT_LT(simulation->balance().max_speed, 0.02);
+    const Snapshot frame = simulation->snapshot();
+    const auto classes = scalar_values(frame, "surface_class");
+    double at_walls = 0, middle = 0;
+    int at_walls_count = 0, middle_count = 0;
+    for (std::size_t i = 0; i < frame.size(); ++i) {
+        if (classes[i] != 2)
+            continue;
+        const Place& place = frame.positions[i];
+        const double from_wall = std::min(place[0], 16e-3 - place[0]);
+        if (from_wall < 1.6 * coarse) {
+            at_walls += place[1];
+            ++at_walls_count;
+        } else if (from_wall > 6e-3) {
+            middle += place[1];
+            ++middle_count;
+        }
+    }
+    const double expected = std::sqrt(2 * (1 - std::sqrt(3) / 2) * sigma / (1000 * 9.81));
+    ASSERT_GT(at_walls_count, 0);
+    EXPECT_NEAR(middle / middle_count - at_walls / at_walls_count, 0.85 * expected,
+                0.15 * expected);
+    EXPECT_EQ(simulation->size(), 1280U);
 }
 
 TEST(ContactAngle, AHalfDiscThatStartsHalfASpacingFromTheWallRests) {
@@ -85,15 +126,18 @@ TEST(ContactAngle, AHalfDiscThatStartsHalfASpacingFromTheWallRests) {
     const std::size_t count = half.size();
     const auto simulation = start_at(scene, half, std::vector<Place>(count), particles.walls);
     EXPECT_GT(simulation->parted(), 10U);
-    EXPECT_LT(largest_energy(*simulation, 0.01), 1.01);
-    EXPECT_LT(simulation->balance().max_speed, 0.05);
+    // What was moved off leaves an uneven surface, of which the area is known to a few percent.
+    const double first = energy_of(simulation->balance());
+    EXPECT_LT(largest_energy(*simulation, 0.01), 1.02);
+    EXPECT_LT(energy_of(simulation->balance()), first);
+    EXPECT_LT(simulation->balance().max_speed, 0.01);
 }
 
 TEST(ContactAngle, ADropThatTouchesAWallSpreadsWithoutMakingEnergy) {
     const auto simulation = start(
         on_a_wall(water_scene(90, 2e-5), {SphereShape{{0, 2.05e-3, 0}, {2e-3, 2e-3, 0}}, {}}));
     const double height = simulation->balance().center[1];
-    EXPECT_LT(largest_energy(*simulation, 0.012),
+    EXPECT_LT(largest_energy(*simulation, 0.015),
               1.03); // contact closes over a hole, whose area counts
     EXPECT_LT(simulation->balance().center[1], 0.85 * height);
 }

@@ -59,6 +59,7 @@ public:
                 static_cast<Real>(plain.wall_volumes[b] / std::pow(plain.h, Dimension));
         }
         fluid.wall_place.back() = fluid.place.back();
+        fluid.wall_normal.resize(plain.walls.size() + 1);
         fill(fluid.place, true, lists, fluid.neighbors);
         fill(fluid.wall_place, false, wall_lists, fluid.wall_neighbors);
         find_densities(fluid);
@@ -89,6 +90,7 @@ private:
         fluid.density.resize(count);
         fluid.wall_density.resize(count);
         fluid.wall_gradient.resize(count);
+        fluid.wall_ahead.resize(count);
         fluid.id.resize(count);
         for (std::size_t i = 0; i < count; ++i)
             fluid.id[i] = static_cast<std::uint32_t>(i);

@@ -45,7 +45,7 @@ const char* full_scene = R"({
                "accelerate": false},
   "viscosity": {"kinematic": 0.02, "density_correction": true, "xsph": 0.1},
   "surface_tension": {"model": "meniscus", "coefficient": 3, "samples": 64, "verification": "exact",
-                      "balance_momentum": false, "contact_friction": 0.5, "k": 74.7, "d": 28, "paper": true},
+                      "balance_momentum": false, "contact_friction": 0.5, "ripple_damping": 0.25, "k": 74.7, "d": 28, "paper": true},
   "time_step": {"courant_factor": 0.5, "min": 0.0001, "max": 0.002},
   "variants": {
     "large": {"particle_spacing": 0.05, "pressure": {"density_error": 0.001}},
@@ -130,6 +130,7 @@ TEST_F(SceneFile, ReadsEveryValue) {
     EXPECT_EQ(read.surface_tension.coefficient, 3);
     EXPECT_FALSE(read.surface_tension.balance_momentum);
     EXPECT_EQ(read.surface_tension.contact_friction, 0.5);
+    EXPECT_EQ(read.surface_tension.ripple_damping, 0.25);
     EXPECT_EQ(read.surface_tension.surface.samples, 64U);
     EXPECT_EQ(read.surface_tension.surface.verification, Verification::exact);
     EXPECT_EQ(read.surface_tension.surface.k, 74.7);
@@ -265,6 +266,7 @@ TEST_F(SceneFile, NamesWhatIsOutOfRange) {
         {"/walls/2/mesh/scale", {0, -1, huge}},
         {"/walls/0/contact_angle", {0, 9, 171, "90"}},
         {"/surface_tension/contact_friction", {-1, 2.5, "1"}},
+        {"/surface_tension/ripple_damping", {-1, 1.5, "1"}},
         {"/leaving", {"go", 1}},
         {"/domain/high", {{-60, 1, 1}}},
         {"/kernel", {"cubic", 1}},
