@@ -14,7 +14,7 @@ namespace {
 std::atomic<bool> lacked_memory{false};
 
 herr_t note_entry(unsigned /*place*/, const H5E_error2_t* error, void* /*nothing*/) {
-    if (error->maj_num == H5E_RESOURCE && error->min_num == H5E_NOSPACE)
+    if (error->min_num == H5E_NOSPACE || error->min_num == H5E_CANTALLOC)
         lacked_memory = true;
     return 0;
 }

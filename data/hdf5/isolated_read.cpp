@@ -127,6 +127,7 @@ void read_and_send(int pipe, const OpenedFile& file, const SnapshotReader& read)
     Sender sender(pipe);
     H5open(); // returns where its lock is free
     sender.number(start_mark);
+    const QuietErrors quiet;
     try {
         Snapshot snapshot = read_unless_machine_fails(file, read);
         sender.number(std::uint64_t{read_well});
@@ -309,12 +310,16 @@ bool answers(const Child& child, const fs::path& file, std::chrono::milliseconds
                      "); export it again");
 }
 
+/// HDF5 ends the process where it has no memory for its own identifiers.
+constexpr int status_of_hdf5 = 255;
+
 [[noreturn]] void fail_as_it_ended(const fs::path& file, int status, const ReadLimits& limits) {
-    if (!WIFSIGNALED(status) && WEXITSTATUS(status) != 0) // HDF5 gives up so without memory
+    if (!WIFSIGNALED(status) &&
+        (WEXITSTATUS(status) == cannot_answer || WEXITSTATUS(status) == status_of_hdf5))
         throw FailureError(file.string() + ": the process that read it ended with status " +
                            std::to_string(WEXITSTATUS(status)) + "; the machine may lack memory");
     if (!WIFSIGNALED(status))
-        fail_as_damaged(file, "what it read is not consistent");
+        fail_as_damaged(file, "it ended with status " + std::to_string(WEXITSTATUS(status)));
     const int signal = WTERMSIG(status);
     if (signal == SIGKILL) { // by the system or by somebody, whom no file can call
         throw FailureError(file.string() + ": the process that read it was killed; the machine "

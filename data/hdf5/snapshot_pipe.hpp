@@ -33,6 +33,9 @@ inline constexpr std::uint64_t start_mark = 0x6d656e6973637573;
 /// The last number, after which nothing is missing.
 inline constexpr std::uint64_t end_mark = ~start_mark;
 
+/// The exit status of a child that cannot send.
+inline constexpr int cannot_answer = 3;
+
 /// Thrown where the pipe brings less than it should, or what no child sends that is well.
 struct BrokenPipe {};
 
@@ -76,7 +79,7 @@ private:
                 bytes += sent;
                 size -= static_cast<std::size_t>(sent);
             } else if (errno != EINTR) {
-                _exit(1); // nobody is there to receive it
+                _exit(cannot_answer); // nobody is there to receive it
             }
         }
     }

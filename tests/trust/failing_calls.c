@@ -8,6 +8,7 @@
 #include <dirent.h>
 #include <dlfcn.h>
 #include <errno.h>
+#include <execinfo.h>
 #include <fcntl.h>
 #include <limits.h>
 #include <pthread.h>
@@ -21,7 +22,6 @@
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <sys/uio.h>
-#include <ucontext.h>
 #include <unistd.h>
 
 enum kind { MEMORY, OPEN, READ, WRITE, SYNC, STATUS, THREAD, PROCESS, KINDS };
@@ -43,12 +43,16 @@ static int fails(enum kind kind, int error) {
     return 1;
 }
 
-static void say_whose_crash(int signal_number, siginfo_t* information, void* context) {
-    (void)information;
-    Dl_info place;
-    const void* at = (const void*)((const ucontext_t*)context)->uc_mcontext.gregs[REG_RIP];
-    if (dladdr(at, &place) != 0 && strstr(place.dli_fname, "libhdf5") != NULL)
-        _exit(98);
+enum { max_frames = 32 };
+
+static void say_whose_crash(int signal_number) {
+    void* frames[max_frames];
+    const int frame_count = backtrace(frames, max_frames);
+    for (int i = 0; i < frame_count; ++i) {
+        Dl_info place;
+        if (dladdr(frames[i], &place) != 0 && strstr(place.dli_fname, "libhdf5") != NULL)
+            _exit(98);
+    }
     signal(signal_number, SIG_DFL);
     raise(signal_number);
 }
@@ -71,11 +75,16 @@ static void begin(void) {
         fprintf(stderr, "failing_calls: no kind '%s', or no file '%s'\n", kind, file);
         _exit(99);
     }
-    count = page;
+    void* frame;
+    backtrace(&frame, 1); /* loads what it needs while there is memory */
     struct sigaction crash = {0};
-    crash.sa_sigaction = say_whose_crash;
-    crash.sa_flags = SA_SIGINFO | SA_NODEFER;
+    crash.sa_handler = say_whose_crash;
+    crash.sa_flags = SA_NODEFER | SA_ONSTACK; /* the stack itself may be used up */
+    static char own_stack[1 << 16];
+    const stack_t stack = {.ss_sp = own_stack, .ss_size = sizeof own_stack};
+    sigaltstack(&stack, NULL);
     sigaction(SIGSEGV, &crash, NULL);
+    count = page;
 }
 
 typedef int (*main_function)(int, char**, char**);
