@@ -22,8 +22,14 @@ threads)
     targets=(runtime_openmp_test labeler_test hard_cases_solver_test c_hosts_test)
     # Archer tells the sanitizer what OpenMP's own synchronization means; what is not compiled for it
     # (libomp itself) is left out.
-    export TSAN_OPTIONS="ignore_noninstrumented_modules=1 halt_on_error=1"
-    export OMP_TOOL_LIBRARIES=libarcher.so
+    export TSAN_OPTIONS="ignore_noninstrumented_modules=1 halt_on_error=1 die_after_fork=0"
+    OMP_TOOL_LIBRARIES=$(realpath -m "$(clang++ -print-resource-dir)/../../libarcher.so")
+    [ -e "$OMP_TOOL_LIBRARIES" ] || {
+        echo "sanitize.sh: $OMP_TOOL_LIBRARIES is missing; install Debian's package libomp-dev" >&2
+        exit 2
+    }
+    export OMP_TOOL_LIBRARIES
+    export GTEST_FILTER=-HostInput.SizesThatOverflow # the sanitizer ends where memory is refused
     ;;
 *)
     sed -n '2,12s/^# \?//p' "$0" >&2
