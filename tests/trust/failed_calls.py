@@ -114,8 +114,13 @@ def fail_verb(trial, failing, verb, kind, most):
             survived += outcome[0] == 0
             for name in not_whole(found, whole):
                 trial.fault(f"{where}: {name} is not whole")
-            if outcome[0] == 0 and found.keys() != whole.keys():
-                trial.fault(f"{where}: succeeds without {sorted(whole.keys() ^ found.keys())}")
+            missing = sorted(whole.keys() ^ found.keys())
+            if outcome[0] != 0 or not missing:
+                continue
+            if kind == "memory" and all(name.endswith(".series") for name in missing):
+                ends_of_hdf5 += 1  # it lists no frame that HDF5 calls damaged
+            else:
+                trial.fault(f"{where}: succeeds without {missing}")
     return count, failed, survived, ends_of_hdf5
 
 

@@ -54,7 +54,7 @@ class SmallDisk:
         return (status.f_blocks - status.f_bfree) * status.f_frsize, status.f_files - status.f_ffree
 
 
-def try_with(trial, verb, resource, room, over_earlier):
+def try_with(trial, verb, resource, room, over_earlier, expected):
     """True where there was room enough."""
     where = f"{verb.name}, room for {room} {resource}{' over earlier outputs' * over_earlier}"
     with SmallDisk(trial.fresh("disk")) as disk:
@@ -69,26 +69,27 @@ def try_with(trial, verb, resource, room, over_earlier):
         status, _, errors = run(verb.command(trial.program, disk.folder))
         found = contents(disk.folder)
         if status == 0:
-            if found != trial.undisturbed[verb.name]:
+            if found != expected:
                 trial.fault(f"{where}: succeeds with other outputs")
             return True
         if status != 3 or errors.count("\n") != 1 or not errors.startswith("meniscus: "):
             trial.fault(f"{where}: status {status}: {errors}")
         for name in sorted(before.keys() - found.keys()):
             trial.fault(f"{where}: {name} is lost")
-        for name in not_whole(found, before, trial.undisturbed[verb.name]):
+        for name in not_whole(found, before, expected):
             trial.fault(f"{where}: {name} is not whole")
         if leftovers(disk.folder):
             trial.fault(f"{where}: a partial file stays")
         disk.limit("size=100m,nr_inodes=1000")
-        trial.check_rerun(verb, disk.folder, where)
+        trial.check_rerun(verb, disk.folder, where, expected)
         return False
 
 
 def fill(trial, verb, resource, over_earlier):
     """How often there was no room."""
+    expected = trial.result_of(verb, over_earlier)
     for room in range(0 if over_earlier else 1, 1000):
-        if try_with(trial, verb, resource, room, over_earlier):
+        if try_with(trial, verb, resource, room, over_earlier, expected):
             return room - (not over_earlier)
     trial.fault(f"{verb.name}: never has enough {resource}")
     return 1000

@@ -27,7 +27,7 @@ def kill_at(command, moment):
 
 def seconds_of(trial, verb):
     start = time.monotonic()
-    trial.result_of(verb, "timed")
+    trial.result_of(verb)
     return time.monotonic() - start
 
 
@@ -53,7 +53,7 @@ def kill_often(trial, verb, kills, chance):
             trial.fault(f"{where}: {name} is lost")
         before = found
         if chance.random() < 0.5:
-            trial.check_rerun(verb, out, where)
+            trial.check_rerun(verb, out, where, whole)
             reruns += 1
             out, before = trial.fresh("out"), {}
     return f"| {verb.name} | {hits} | {with_outputs} | {partial} | {reruns} |"

@@ -108,7 +108,7 @@ class Trial:
         if unknown:
             raise SystemExit(f"expected of {' '.join(verb.name for verb in verbs)}, found {unknown}")
         self.verbs = [verb for verb in verbs if not only or verb.name in only]
-        self.undisturbed = {verb.name: self.result_of(verb, "undisturbed") for verb in self.verbs}
+        self.undisturbed = {verb.name: self.result_of(verb) for verb in self.verbs}
         self.faults = []
 
     def fresh(self, name):
@@ -117,9 +117,11 @@ class Trial:
         folder.mkdir()
         return folder
 
-    def result_of(self, verb, name, earlier=False):
-        out = self.fresh(name)
-        succeed(verb.command(self.program, out, earlier))
+    def result_of(self, verb, over_earlier=False):
+        out = self.fresh("undisturbed")
+        if over_earlier:
+            succeed(verb.command(self.program, out, earlier=True))
+        succeed(verb.command(self.program, out))
         return contents(out)
 
     def fault(self, text):
@@ -127,13 +129,13 @@ class Trial:
         print(f"FAULT: {text}", flush=True)
         self.faults.append(text)
 
-    def check_rerun(self, verb, out, where):
-        """The same command once more makes everything that an undisturbed run makes, and no more."""
+    def check_rerun(self, verb, out, where, expected):
+        """The same command once more makes everything that is expected, and no more."""
         status, _, errors = run(verb.command(self.program, out))
         if status != 0:
             self.fault(f"{where}: rerun: status {status}: {errors}")
             return
-        found, expected = contents(out), self.undisturbed[verb.name]
+        found = contents(out)
         for name in sorted(found.keys() | expected.keys()):
             if found.get(name) != expected.get(name):
                 self.fault(f"{where}: rerun: {name} is not what an undisturbed run writes")
