@@ -3,11 +3,11 @@
 
 Usage: full_disk.py PROGRAM [--verbs label,train,...]
 
-Each verb writes to a file system in memory, which has room for one page more, or one file more, each
-time until the verb succeeds: once to an empty one, and once over earlier outputs of its own. Needs the right to mount, or
-user namespaces; exit status 77 without. Prints a table; exit status 1 where a verb ends other than
-with 3 and one line, an output is neither the earlier one nor the new one, a partial file stays, or
-a rerun with room does not make the bytes of an undisturbed run.
+Each verb writes to a file system in memory, which has room for a page more, or a file more, each time
+(from 16 on, for an eighth more) until the verb succeeds: once to an empty one, and once over earlier
+outputs of its own. Needs the right to mount, or user namespaces; exit status 77 without. Prints a table;
+exit status 1 where a verb ends other than with 3 and one line, an output is neither the earlier one nor
+the new one, a partial file stays, or a rerun with room does not make the bytes of an undisturbed run.
 """
 import argparse
 import os
@@ -86,13 +86,16 @@ def try_with(trial, verb, resource, room, over_earlier, expected):
 
 
 def fill(trial, verb, resource, over_earlier):
-    """How often there was no room."""
+    """How often there was no room: from none on by one more each, where there is much by an eighth."""
     expected = trial.result_of(verb, over_earlier)
-    for room in range(0 if over_earlier else 1, 1000):
-        if try_with(trial, verb, resource, room, over_earlier, expected):
-            return room - (not over_earlier)
-    trial.fault(f"{verb.name}: never has enough {resource}")
-    return 1000
+    room, tries = 0 if over_earlier else 1, 0
+    while not try_with(trial, verb, resource, room, over_earlier, expected):
+        room += max(1, room // 8)
+        tries += 1
+        if room > 10000:
+            trial.fault(f"{verb.name}: never has enough {resource}")
+            break
+    return tries
 
 
 def main():
