@@ -188,12 +188,13 @@ bool is_snapshot(const Path& file) {
 std::vector<Path> files_of_folder(const Path& folder) {
     std::map<std::string, std::vector<Path>> by_ending;
     std::error_code error;
-    for (const auto& entry : fs::directory_iterator(folder, error))
-        if (entry.is_regular_file() && !is_no_frame(entry.path()) && is_snapshot(entry.path()))
-            by_ending[entry.path().extension().string()].push_back(entry.path());
+    for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
+         entry.increment(error))
+        if (entry->is_regular_file() && !is_no_frame(entry->path()) && is_snapshot(entry->path()))
+            by_ending[entry->path().extension().string()].push_back(entry->path());
     if (error)
-        throw InputError(
-            fmt::format("{}: the folder cannot be read: {}", folder.string(), error.message()));
+        fail_for(error.value(), fmt::format("{}: the folder cannot be read: {}", folder.string(),
+                                            error.message()));
     if (by_ending.empty())
         throw InputError(fmt::format("{}: there is no snapshot in the folder itself; name the one "
                                      "that holds them",
@@ -211,8 +212,10 @@ std::vector<Path> files_of_folder(const Path& folder) {
 }
 
 std::vector<Path> files_of(const Path& word) {
-    std::error_code ignored;
-    const fs::file_status status = fs::status(word, ignored);
+    std::error_code error;
+    const fs::file_status status = fs::status(word, error);
+    if (is_failure_of_machine(error.value()))
+        throw FailureError(fmt::format("{}: cannot be read: {}", word.string(), error.message()));
     if (fs::is_directory(status))
         return files_of_folder(word);
     if (!fs::exists(status) && word.string().find_first_of("*?[{") != std::string::npos)

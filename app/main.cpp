@@ -3,9 +3,11 @@
 // 3 failure while running, 130 interrupted.
 #include "command_line.hpp"
 #include "threads.hpp"
+#include "unforeseen_end.hpp"
 #include "usage.hpp"
 
 #include <meniscus/app/ranks/ranks_of_program.hpp>
+#include <meniscus/data/hdf5/hdf5_memory.hpp>
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/runtime/version.hpp>
 
@@ -58,8 +60,10 @@ int run(CLI::App& command, int argument_count, char** arguments) {
 } // namespace
 
 int main(int argument_count, char** arguments) {
+    const meniscus::UnforeseenEnd end;
     try {
         meniscus::open_standard_streams();
+        meniscus::leave_hdf5_as_it_is();
         meniscus::wait_asleep(arguments);
         meniscus::install_interrupt_handler();
         const std::string warning = meniscus::limit_threads();

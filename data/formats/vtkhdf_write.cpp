@@ -2,6 +2,7 @@
 
 #include <meniscus/data/hdf5/descriptor_driver.hpp>
 #include <meniscus/data/hdf5/hdf5_handles.hpp>
+#include <meniscus/data/hdf5/hdf5_memory.hpp>
 #include <meniscus/data/hdf5/hdf5_turn.hpp>
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/files.hpp>
@@ -295,6 +296,7 @@ void write_for_meniscus(hid_t file, const Snapshot& snapshot, Turn& turn) {
 /// would change them once more.
 void fill_file(int descriptor, const Given& given, FileBeingWritten& written) {
     Turn turn(hdf5_turn());
+    start_hdf5();
     const QuietErrors quiet;
     const Handle access = made(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
     // Since 1.8 HDF5 keeps checksums of its own structures, so that damage is noticed.

@@ -74,6 +74,8 @@ haddr_t end_of_file(const H5FD_t* file, H5FD_mem_t /*type*/) {
     return ours(file).given.bytes;
 }
 
+int last_error_of_reading = 0; ///< of a child that reads one file, in one thread
+
 /// What lies behind the end of the file reads as zeros, as with HDF5's own driver.
 herr_t read_bytes(H5FD_t* file, H5FD_mem_t /*type*/, hid_t /*transfer*/, haddr_t address,
                   std::size_t size, void* buffer) {
@@ -81,8 +83,10 @@ herr_t read_bytes(H5FD_t* file, H5FD_mem_t /*type*/, hid_t /*transfer*/, haddr_t
     while (size > 0) {
         const ssize_t count =
             pread(ours(file).given.descriptor, bytes, size, static_cast<off_t>(address));
-        if (count < 0 && errno != EINTR)
+        if (count < 0 && errno != EINTR) {
+            last_error_of_reading = errno;
             return -1;
+        }
         if (count == 0) {
             std::fill_n(bytes, size, '\0');
             return 0;
@@ -171,6 +175,10 @@ H5FD_class_t driver_of_output() {
 }
 
 } // namespace
+
+int error_of_reading() {
+    return last_error_of_reading;
+}
 
 Handle open_descriptor(int descriptor, std::uint64_t bytes) {
     static const H5FD_class_t kept = driver(); // HDF5 reads it as long as the driver is known

@@ -26,4 +26,8 @@ struct FileBeingWritten {
 Handle create_on_descriptor(int descriptor, FileBeingWritten& written, hid_t creation,
                             hid_t access);
 
+/// The error of the system (errno) by which reading a file failed last in this process; 0 where
+/// none has. HDF5 does not hand it on.
+int error_of_reading();
+
 } // namespace meniscus

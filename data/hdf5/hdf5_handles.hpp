@@ -41,12 +41,15 @@ private:
     herr_t (*close)(hid_t);
 };
 
+/// What HDF5 calls for each error: keeps in mind whether memory was wanting (hdf5_memory.hpp).
+herr_t note_want_of_memory(hid_t stack, void* nothing);
+
 /// HDF5 prints its errors to the terminal unless told not to; ours say it in one line.
 class QuietErrors {
 public:
     QuietErrors() {
         H5Eget_auto2(H5E_DEFAULT, &function, &data);
-        H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+        H5Eset_auto2(H5E_DEFAULT, note_want_of_memory, nullptr);
     }
     QuietErrors(const QuietErrors&) = delete;
     QuietErrors& operator=(const QuietErrors&) = delete;

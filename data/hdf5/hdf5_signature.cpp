@@ -1,5 +1,6 @@
 #include "hdf5_signature.hpp"
 
+#include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/files.hpp>
 
 #include <fstream>
@@ -20,6 +21,8 @@ bool is_hdf5(const std::filesystem::path& file) {
             found == signature)
             return true;
     }
+    if (stream.bad() || !stream.eof())
+        throw FailureError(file.string() + ": cannot be read");
     return false;
 }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <new>
 #include <numeric>
 
 namespace meniscus {
@@ -36,9 +37,10 @@ std::uint64_t inflated_size(const Dataset& dataset, const Chunk& chunk, std::uin
     std::uint32_t skipped_filters = 0;
     z_stream stream = {};
     if (H5Dread_chunk(dataset.id, H5P_DEFAULT, chunk.offset.data(), &skipped_filters,
-                      stored.data()) < 0 ||
-        inflateInit(&stream) != Z_OK)
+                      stored.data()) < 0)
         return 0;
+    if (inflateInit(&stream) != Z_OK)
+        throw std::bad_alloc();
     Bytef inflated[16384];
     stream.next_in = reinterpret_cast<Bytef*>(stored.data());
     stream.avail_in = static_cast<uInt>(stored.size());

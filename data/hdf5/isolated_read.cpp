@@ -2,6 +2,9 @@
 
 #include "confinement.hpp"
 #include "deflate.hpp"
+#include "descriptor_driver.hpp"
+#include "hdf5_handles.hpp"
+#include "hdf5_memory.hpp"
 #include "hdf5_turn.hpp"
 #include "snapshot_pipe.hpp"
 #include <meniscus/data/text/errors.hpp>
@@ -99,12 +102,34 @@ void send_error(Sender& sender, Outcome outcome, const std::string& message) {
     sender.number(end_mark);
 }
 
+/// Throws where the machine has failed meanwhile: HDF5 then says, or has its caller believe, that
+/// something is not in the file.
+void check_machine(const OpenedFile& file) {
+    if (const int error = error_of_reading(); error != 0)
+        throw FailureError(file.path.string() + ": cannot be read: " + std::strerror(error));
+    if (hdf5_lacked_memory())
+        throw std::bad_alloc();
+}
+
+/// What `read` gives or throws, unless the machine is to blame.
+Snapshot read_unless_machine_fails(const OpenedFile& file, const SnapshotReader& read) {
+    try {
+        Snapshot snapshot = read(file);
+        check_machine(file);
+        return snapshot;
+    } catch (const InputError&) {
+        check_machine(file);
+        throw;
+    }
+}
+
 void read_and_send(int pipe, const OpenedFile& file, const SnapshotReader& read) {
     Sender sender(pipe);
     H5open(); // returns where its lock is free
     sender.number(start_mark);
+    const QuietErrors quiet;
     try {
-        Snapshot snapshot = read(file);
+        Snapshot snapshot = read_unless_machine_fails(file, read);
         sender.number(std::uint64_t{read_well});
         carry(sender, snapshot);
         sender.number(end_mark);
@@ -248,8 +273,8 @@ struct Reply {
 };
 
 /// Nothing where the child did not say it to the end. Throws TimeIsOver.
-std::optional<Reply> receive_reply(int pipe, const ReadLimits& limits) {
-    Receiver receiver(pipe, limits.memory_bytes, limits.wall_time);
+std::optional<Reply> receive_reply(int pipe, const fs::path& file, const ReadLimits& limits) {
+    Receiver receiver(pipe, limits.memory_bytes, limits.wall_time, file);
     Reply reply;
     std::uint64_t mark = 0;
     try {
@@ -269,10 +294,10 @@ std::optional<Reply> receive_reply(int pipe, const ReadLimits& limits) {
 
 /// Whether the child is at work within that time, or came to an end; false where it waits for
 /// HDF5's lock.
-bool answers(const Child& child, std::chrono::milliseconds patience) {
+bool answers(const Child& child, const fs::path& file, std::chrono::milliseconds patience) {
     std::uint64_t mark = 0;
     try {
-        Receiver(child.descriptor(), sizeof mark, patience).number(mark);
+        Receiver(child.descriptor(), sizeof mark, patience, file).number(mark);
     } catch (const TimeIsOver&) {
         return false;
     } catch (const BrokenPipe&) { // as whoever waits for it will notice
@@ -285,7 +310,14 @@ bool answers(const Child& child, std::chrono::milliseconds patience) {
                      "); export it again");
 }
 
+/// HDF5 ends the process where it has no memory for its own identifiers.
+constexpr int status_of_hdf5 = 255;
+
 [[noreturn]] void fail_as_it_ended(const fs::path& file, int status, const ReadLimits& limits) {
+    if (!WIFSIGNALED(status) &&
+        (WEXITSTATUS(status) == cannot_answer || WEXITSTATUS(status) == status_of_hdf5))
+        throw FailureError(file.string() + ": the process that read it ended with status " +
+                           std::to_string(WEXITSTATUS(status)) + "; the machine may lack memory");
     if (!WIFSIGNALED(status))
         fail_as_damaged(file, "it ended with status " + std::to_string(WEXITSTATUS(status)));
     const int signal = WTERMSIG(status);
@@ -302,7 +334,7 @@ bool answers(const Child& child, std::chrono::milliseconds patience) {
 std::optional<Reply> reply_in_time(const Child& child, const fs::path& file,
                                    const ReadLimits& limits) {
     try {
-        return receive_reply(child.descriptor(), limits);
+        return receive_reply(child.descriptor(), file, limits);
     } catch (const TimeIsOver&) {
         const std::string seconds =
             rounded_text(std::chrono::duration<double>(limits.wall_time).count(), 3);
@@ -322,7 +354,7 @@ std::optional<Ending> try_to_read(const OpenedFile& file, const SnapshotReader& 
                                   std::chrono::milliseconds patience) {
     const auto [pipe, process] = start(file, read, limits, max_memory);
     Child child(process, pipe);
-    if (!answers(child, patience))
+    if (!answers(child, file.path, patience))
         return std::nullopt;
     std::optional<Reply> reply = reply_in_time(child, file.path, limits);
     const int status = child.wait();
@@ -330,6 +362,7 @@ std::optional<Ending> try_to_read(const OpenedFile& file, const SnapshotReader& 
 }
 
 Snapshot read_opened(const OpenedFile& file, const SnapshotReader& read, const ReadLimits& limits) {
+    start_hdf5();
     const std::uint64_t max_memory = memory_in_use() + limits.memory_bytes;
     std::optional<Ending> ending;
     // Each time for longer, as the machine may only be busy.
@@ -370,12 +403,12 @@ ReadLimits limits_for(std::uint64_t file_bytes) {
 
 Snapshot read_isolated(const fs::path& file, const SnapshotReader& read, const ReadLimits& limits) {
     const Descriptor opened = open_regular_file(file);
-    return read_opened({file, opened, size_of(opened)}, read, limits);
+    return read_opened({file, opened, size_of(opened, file)}, read, limits);
 }
 
 Snapshot read_isolated(const fs::path& file, const SnapshotReader& read) {
     const Descriptor opened = open_regular_file(file);
-    const std::uint64_t bytes = size_of(opened);
+    const std::uint64_t bytes = size_of(opened, file);
     return read_opened({file, opened, bytes}, read, limits_for(bytes));
 }
 

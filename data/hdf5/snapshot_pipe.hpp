@@ -4,11 +4,14 @@
 #pragma once
 
 #include <meniscus/data/particles/snapshot.hpp>
+#include <meniscus/data/text/errors.hpp>
 
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstdint>
+#include <cstring>
+#include <filesystem>
 #include <optional>
 #include <poll.h>
 #include <set>
@@ -29,6 +32,9 @@ inline constexpr std::uint64_t start_mark = 0x6d656e6973637573;
 
 /// The last number, after which nothing is missing.
 inline constexpr std::uint64_t end_mark = ~start_mark;
+
+/// The exit status of a child that cannot send.
+inline constexpr int cannot_answer = 3;
 
 /// Thrown where the pipe brings less than it should, or what no child sends that is well.
 struct BrokenPipe {};
@@ -73,7 +79,7 @@ private:
                 bytes += sent;
                 size -= static_cast<std::size_t>(sent);
             } else if (errno != EINTR) {
-                _exit(1); // nobody is there to receive it
+                _exit(cannot_answer); // nobody is there to receive it
             }
         }
     }
@@ -82,13 +88,14 @@ private:
 };
 
 /// The parent's end. What the child claims to send is believed as it arrives, no more than `max`
-/// bytes of it and nothing after that time.
+/// bytes of it and nothing after that time. Throws FailureError where the pipe itself fails.
 class Receiver {
 public:
     using Clock = std::chrono::steady_clock;
 
-    Receiver(int pipe, std::uint64_t max, std::chrono::milliseconds time)
-        : descriptor(pipe), left(max), end(Clock::now() + time) {}
+    Receiver(int pipe, std::uint64_t max, std::chrono::milliseconds time,
+             std::filesystem::path its_file)
+        : descriptor(pipe), left(max), end(Clock::now() + time), file(std::move(its_file)) {}
 
     template <class Number>
     void number(Number& value) {
@@ -137,8 +144,11 @@ private:
             if (received > 0) {
                 bytes += received;
                 size -= static_cast<std::size_t>(received);
-            } else if (received == 0 || errno != EINTR) {
+            } else if (received == 0) {
                 throw BrokenPipe();
+            } else if (errno != EINTR) {
+                throw FailureError(file.string() +
+                                   ": what was read does not arrive: " + std::strerror(errno));
             }
         }
     }
@@ -157,6 +167,7 @@ private:
     int descriptor;
     std::uint64_t left;
     Clock::time_point end;
+    std::filesystem::path file; ///< as it is called in messages
 };
 
 template <class Pipe>

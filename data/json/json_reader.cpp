@@ -139,7 +139,7 @@ Json parse_json(const std::string& text, const std::string& file, const std::str
 std::string text_of_file(const std::filesystem::path& file, const std::string& expected) {
     errno = 0;
     std::ifstream stream(file, std::ios::binary);
-    if (!stream && (errno == EMFILE || errno == ENFILE || errno == ENOMEM))
+    if (!stream && is_failure_of_machine(errno))
         throw FailureError(file.string() + ": cannot be opened: " + std::strerror(errno));
     if (!stream || std::filesystem::is_directory(file))
         throw InputError(file.string() + " cannot be read; expected " + expected);
@@ -151,6 +151,8 @@ std::string text_of_file(const std::filesystem::path& file, const std::string& e
         stream.read(text.data() + size, part);
         text.resize(size + static_cast<std::size_t>(stream.gcount()));
     }
+    if (stream.bad())
+        throw FailureError(file.string() + ": cannot be read: " + std::strerror(errno));
     if (text.size() > max_text)
         throw InputError(file.string() + ": expected " + expected + " of at most " +
                          std::to_string(max_text >> 20U) + " MiB, found more");

@@ -294,7 +294,7 @@ void add_triangles(const Face& face, TriangleMesh& mesh) {
         mesh.triangles.push_back({corner(0), corner(k - 1), corner(k)});
 }
 
-TriangleMesh mesh_from(std::istream& stream) {
+TriangleMesh mesh_from(std::istream& stream, const std::filesystem::path& file) {
     TriangleMesh mesh;
     std::vector<Face> faces; // may come before their vertices
     std::string line;
@@ -305,6 +305,8 @@ TriangleMesh mesh_from(std::istream& stream) {
         if (!words.empty() && words[0] == "f")
             faces.push_back(read_face(words, number, mesh.vertices.size()));
     }
+    if (stream.bad())
+        throw FailureError(file.string() + ": cannot be read");
     if (faces.empty())
         throw InputError("holds no face (a line 'f 1 2 3'); expected a Wavefront OBJ file");
     for (const Face& face : faces)
@@ -363,7 +365,7 @@ TriangleMesh read_obj(const std::filesystem::path& file) {
         std::ifstream stream(file, std::ios::binary);
         if (!stream || !std::filesystem::is_regular_file(file))
             throw InputError("cannot be read; expected a Wavefront OBJ file");
-        return mesh_from(stream);
+        return mesh_from(stream, file);
     });
 }
 

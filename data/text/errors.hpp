@@ -7,6 +7,7 @@
 
 #include "printable.hpp"
 
+#include <cerrno>
 #include <stdexcept>
 #include <string>
 
@@ -23,5 +24,21 @@ class FailureError : public std::runtime_error {
 public:
     explicit FailureError(const std::string& message) : std::runtime_error(printable(message)) {}
 };
+
+/// Whether an error of the system (errno) is a failure of the machine; any other that keeps a file
+/// from being opened or created is the path's.
+inline bool is_failure_of_machine(int error) {
+    for (const int failure : {ENOSPC, EDQUOT, EIO, ENFILE, EMFILE, ENOMEM, EFBIG})
+        if (error == failure)
+            return true;
+    return false;
+}
+
+/// Throws the error that fits one of the system.
+[[noreturn]] inline void fail_for(int error, const std::string& message) {
+    if (is_failure_of_machine(error))
+        throw FailureError(message);
+    throw InputError(message);
+}
 
 } // namespace meniscus

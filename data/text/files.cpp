@@ -25,24 +25,14 @@ std::string errno_text() {
     return std::strerror(errno);
 }
 
-// What the machine did wrong; everything else that keeps a file from being created is the path's.
-bool is_failure_of_machine(int error) {
-    for (const int failure : {ENOSPC, EDQUOT, EIO, ENFILE, EMFILE, ENOMEM, EFBIG})
-        if (error == failure)
-            return true;
-    return false;
-}
-
 fs::path folder_of(const fs::path& file) {
     return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
 [[noreturn]] void fail_to_create(const fs::path& file) {
-    const std::string message = file.string() + ": cannot write to folder " +
-                                folder_of(file).string() + ": " + errno_text();
-    if (is_failure_of_machine(errno))
-        throw FailureError(message);
-    throw InputError(message);
+    const int error = errno;
+    fail_for(error, file.string() + ": cannot write to folder " + folder_of(file).string() + ": " +
+                        std::strerror(error));
 }
 
 /// The same file under another number where a closed standard stream has left it its own.
@@ -61,10 +51,8 @@ Descriptor above_standard_streams(Descriptor opened) {
         throw InputError(file.string() + ": expected a file, found none; check the path");
     if (errno == ENXIO)
         fail_as_irregular(file);
-    const std::string message = file.string() + ": cannot be opened: " + errno_text();
-    if (is_failure_of_machine(errno))
-        throw FailureError(message);
-    throw InputError(message);
+    const int error = errno;
+    fail_for(error, file.string() + ": cannot be opened: " + std::strerror(error));
 }
 
 /// Fills the memory with what comes next, less only at the end of the file.
@@ -165,7 +153,11 @@ void remove_leftovers(const fs::path& target, const fs::path& own) {
 /// Rights of the file that is replaced, or those that the system gives a new one.
 std::optional<struct stat> replaced_status(const fs::path& target) {
     struct stat status = {};
-    return stat(target.c_str(), &status) == 0 ? std::make_optional(status) : std::nullopt;
+    if (stat(target.c_str(), &status) == 0)
+        return status;
+    if (is_failure_of_machine(errno))
+        fail_to_create(target);
+    return std::nullopt;
 }
 
 /// The file that bytes go to before it takes its name. Removed unless it was renamed; closed last,
@@ -264,14 +256,16 @@ Descriptor open_regular_file(const fs::path& file) {
     return opened;
 }
 
-std::uint64_t size_of(const Descriptor& file) {
+std::uint64_t size_of(const Descriptor& opened, const fs::path& file) {
     struct stat status = {};
-    return fstat(file, &status) == 0 ? static_cast<std::uint64_t>(status.st_size) : 0;
+    if (fstat(opened, &status) != 0)
+        throw FailureError(file.string() + ": cannot be read: " + errno_text());
+    return static_cast<std::uint64_t>(status.st_size);
 }
 
 std::string read_whole(const fs::path& file, std::size_t max) {
     const Descriptor opened = open_regular_file(file);
-    const std::uint64_t size = size_of(opened);
+    const std::uint64_t size = size_of(opened, file);
     if (size == 0)
         throw InputError(file.string() + ": expected a snapshot, found an empty file");
     std::string bytes(static_cast<std::size_t>(std::min<std::uint64_t>(size, max)), '\0');

@@ -18,8 +18,9 @@ namespace meniscus {
 /// FailureError where the machine cannot open it.
 Descriptor open_regular_file(const std::filesystem::path& file);
 
-/// Bytes in an open file.
-std::uint64_t size_of(const Descriptor& file);
+/// Bytes in an open file; the path is its name in messages. Throws FailureError where the machine
+/// cannot tell.
+std::uint64_t size_of(const Descriptor& opened, const std::filesystem::path& file);
 
 /// The file's bytes, at most the first `max`. Throws as open_regular_file does, InputError where
 /// the file is empty, and FailureError where it cannot be read.

@@ -79,31 +79,6 @@ void add_text(Sha256& sum, const std::string& text) {
     sum.add(text.data(), text.size());
 }
 
-/// SHA-256 of all that a run goes on from, whatever the order of arrays: HDF5 has sums of its own
-/// only for arrays that it compresses, and none for texts.
-std::string content_sum(const Snapshot& snapshot) {
-    Sha256 sum;
-    for (const auto& [name, text] : snapshot.provenance)
-        if (name != sum_name) {
-            add_text(sum, name);
-            add_text(sum, text);
-        }
-    const double time = snapshot.time.value_or(0);
-    sum.add(&time, sizeof time);
-    sum.add(snapshot.positions.data(), snapshot.size() * sizeof(Place));
-    std::vector<std::string> names;
-    for (const PointArray& array : snapshot.point_data)
-        names.push_back(array.name);
-    std::sort(names.begin(), names.end());
-    for (const std::string& name : names) {
-        add_text(sum, name);
-        std::visit(
-            [&](const auto& values) { sum.add(values.data(), values.size() * sizeof values[0]); },
-            find_array(snapshot, name)->values);
-    }
-    return sum.text();
-}
-
 void check_content(const Snapshot& snapshot) {
     if (content_sum(snapshot) != provenance_text(snapshot, sum_name))
         throw InputError("is damaged: its content has not the SHA-256 that it was written with" +
@@ -182,6 +157,31 @@ Snapshot readable(const std::filesystem::path& file) {
 
 } // namespace
 
+// HDF5 has sums of its own only for arrays that it compresses, and none for texts. The order of
+// arrays does not matter.
+std::string content_sum(const Snapshot& snapshot) {
+    Sha256 sum;
+    for (const auto& [name, text] : snapshot.provenance)
+        if (name != sum_name) {
+            add_text(sum, name);
+            add_text(sum, text);
+        }
+    const double time = snapshot.time.value_or(0);
+    sum.add(&time, sizeof time);
+    sum.add(snapshot.positions.data(), snapshot.size() * sizeof(Place));
+    std::vector<std::string> names;
+    for (const PointArray& array : snapshot.point_data)
+        names.push_back(array.name);
+    std::sort(names.begin(), names.end());
+    for (const std::string& name : names) {
+        add_text(sum, name);
+        std::visit(
+            [&](const auto& values) { sum.add(values.data(), values.size() * sizeof values[0]); },
+            find_array(snapshot, name)->values);
+    }
+    return sum.text();
+}
+
 void write_checkpoint(const Checkpoint& checkpoint, const Scene& scene, const std::string& text,
                       const std::filesystem::path& file) {
     Snapshot snapshot;
@@ -211,20 +211,22 @@ void write_checkpoint(const Checkpoint& checkpoint, const Scene& scene, const st
     write_vtkhdf(snapshot, file);
 }
 
+Checkpoint checkpoint_in(const Snapshot& snapshot, const std::string& text,
+                         const std::filesystem::path& file) {
+    Checkpoint checkpoint;
+    checkpoint.duration = check_origin(snapshot, text);
+    checkpoint.state = state_of(snapshot);
+    const Json numbers =
+        parse_json(provenance_text(snapshot, "run"), file.string(), "the state of a run");
+    const JsonReader reader(numbers, file.string(), "");
+    each_number(checkpoint,
+                [&](const char* key, auto& value) { read_number_of(reader, key, value); });
+    checkpoint.log = provenance_text(snapshot, "log");
+    return checkpoint;
+}
+
 Checkpoint read_checkpoint(const std::filesystem::path& file, const std::string& text) {
-    return naming_file(file, [&] {
-        const Snapshot snapshot = readable(file);
-        Checkpoint checkpoint;
-        checkpoint.duration = check_origin(snapshot, text);
-        checkpoint.state = state_of(snapshot);
-        const Json numbers =
-            parse_json(provenance_text(snapshot, "run"), file.string(), "the state of a run");
-        const JsonReader reader(numbers, file.string(), "");
-        each_number(checkpoint,
-                    [&](const char* key, auto& value) { read_number_of(reader, key, value); });
-        checkpoint.log = provenance_text(snapshot, "log");
-        return checkpoint;
-    });
+    return naming_file(file, [&] { return checkpoint_in(readable(file), text, file); });
 }
 
 } // namespace meniscus

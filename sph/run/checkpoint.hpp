@@ -33,4 +33,11 @@ void write_checkpoint(const Checkpoint& checkpoint, const Scene& scene, const st
 /// duration alone is no other one.
 Checkpoint read_checkpoint(const std::filesystem::path& file, const std::string& text);
 
+/// The same from a snapshot that was read already; the path is its name in messages.
+Checkpoint checkpoint_in(const Snapshot& snapshot, const std::string& text,
+                         const std::filesystem::path& file);
+
+/// SHA-256 of all that a run goes on from, which a checkpoint's provenance has as `sha256`.
+std::string content_sum(const Snapshot& snapshot);
+
 } // namespace meniscus

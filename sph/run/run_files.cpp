@@ -33,11 +33,12 @@ std::optional<std::uint64_t> frame_number(const fs::path& file, const Scene& sce
 std::vector<fs::path> frames_in(const Scene& scene, const fs::path& folder) {
     std::error_code error;
     std::vector<fs::path> frames;
-    for (const auto& entry : fs::directory_iterator(folder, error))
-        if (frame_number(entry.path(), scene))
-            frames.push_back(entry.path());
+    for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
+         entry.increment(error))
+        if (frame_number(entry->path(), scene))
+            frames.push_back(entry->path());
     if (error)
-        throw InputError(folder.string() + ": cannot be listed: " + error.message());
+        fail_for(error.value(), folder.string() + ": cannot be listed: " + error.message());
     std::sort(frames.begin(), frames.end());
     return frames;
 }
@@ -51,7 +52,7 @@ void remove_file(const fs::path& file) {
     std::error_code error;
     fs::remove(file, error);
     if (error)
-        throw InputError(file.string() + ": cannot be removed: " + error.message());
+        fail_for(error.value(), file.string() + ": cannot be removed: " + error.message());
 }
 
 bool starts_with(const std::string& text, const std::string& start) {

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Long runs of the targets whose reader works in a child process (pysph_fuzz, vtkhdf_fuzz):
+# Long runs of the targets whose reader works in a child process (lagrangebench_fuzz,
+# pysph_fuzz, vtkhdf_fuzz):
 #
 #     tests/fuzz/run_long.sh TARGET RUNS FOLDER
 #
@@ -14,15 +15,12 @@ set -euo pipefail
 [ $# -eq 3 ] || { sed -n '2,12s/^# \?//p' "$0" >&2; exit 2; }
 target=$1 runs=$2 folder=$3
 sources=$(cd "$(dirname "$0")/../.." && pwd)
-mkdir -p "$folder/include/meniscus" "$folder/reports"
-ln -sfn "$sources/data" "$folder/include/meniscus/data"
+mkdir -p "$folder/reports"
 
-read -ra libraries <<<"$(pkg-config --cflags --libs hdf5 libcrypto zlib)"
-readers=()
-for file in "$sources"/data/*.cpp; do
-    [ "$(basename "$file")" = neighbor_search.cpp ] || readers+=("$file")
-done
-afl-clang-fast++ -std=c++17 -O1 -g -fsanitize=fuzzer -I "$folder/include" \
+read -ra libraries <<<"$(pkg-config --cflags --libs hdf5 libcrypto zlib libzstd)"
+mapfile -t readers < <(find "$sources/data" -name '*.cpp' ! -path '*/clouds/*' ! -path '*/samples/*' \
+    ! -path '*/drawing/*' ! -name neighbor_search.cpp)
+afl-clang-fast++ -std=c++17 -O1 -g -fsanitize=fuzzer -I "$sources/include" \
     "$sources/tests/fuzz/$target.cpp" "${readers[@]}" "${libraries[@]}" -o "$folder/$target" \
     >"$folder/compile.log" 2>&1 || { cat "$folder/compile.log" >&2; exit 1; }
 
