@@ -1,7 +1,8 @@
 // meniscus classify: the runtime on files. Writes what a solver that uses the model would see.
+#include "earlier_outputs.hpp"
 #include "file_batch.hpp"
 #include "input_files.hpp"
-#include "label.hpp"
+#include "input_options.hpp"
 #include "shipped_models.hpp"
 #include "surface_tension.hpp"
 #include "usage.hpp"
@@ -104,9 +105,9 @@ FileReport classify_file(const Path& input, const Path& output, const Classifier
                          int threads, const ClassifyCommand& command) {
     const std::string request = request_of("classify", input, command.input, classifier.boundary,
                                            request_words(command, classifier));
-    const auto earlier = earlier_output(output, "predicted_surface");
-    if (is_up_to_date(earlier, request))
+    if (is_up_to_date(output, request))
         return {{}, printable(output.string()) + ": up to date\n", true, {}};
+    const auto earlier = earlier_output(output, "predicted_surface");
     Snapshot snapshot = read_input(input, command.input);
     set_boundary(snapshot, classifier.boundary);
     set_periodic(snapshot, command.input);
@@ -138,7 +139,8 @@ void run_classify(const ClassifyCommand& command) {
         classifier.model = named_model(*command.model);
     InputsAndFolder files = command.files;
     files.inputs = input_files(files.inputs);
-    const auto outputs = output_files(files, {command.model.value_or(""), command.boundary});
+    const auto outputs =
+        output_files(files, {command.model.value_or(""), command.boundary}, command.input.frame);
     classifier.boundary = read_boundary(command.boundary);
     make_writable_folder(files.folder);
     const FileBatch batch = {"classifying",   "classified",  {"particles", "candidates", "surface"},

@@ -93,7 +93,14 @@ TEST_F(OtherHdf5, TheLastStepOfH5PartIsRead) {
     EXPECT_EQ(snapshot.positions, (Positions{{7, 3, 5}, {2, 4, 6}}));
     EXPECT_NE(find_array(snapshot, "velocity"), nullptr);
     ASSERT_EQ(snapshot.notes.size(), 1U);
-    expect_mentions(snapshot.notes[0], {"last of 2", "Step#10"});
+    expect_mentions(snapshot.notes[0], {"last of 2 states", "Step#10"});
+    ReadChoices first;
+    first.frame = 0;
+    EXPECT_EQ(read_snapshot(file, first).positions, (Positions{{6, 3, 5}, {2, 4, 6}}));
+    expect_mentions(read_snapshot(file, first).notes.at(0), {"state 0 of 0 to 1", "Step#9"});
+    first.frame = 2;
+    expect_mentions(error_of<InputError>([&] { read_snapshot(file, first); }),
+                    {"other.hdf5", "--frame 2", "0 to 1", "2 states"});
     remove("/Step#10/y");
     expect_mentions(reading_error(), {"/Step#10/y"});
 }
@@ -111,12 +118,27 @@ TEST_F(OtherHdf5, TheLastStateOfLagrangeBenchIsRead) {
     EXPECT_EQ(snapshot.dimension, 2);
     ASSERT_EQ(snapshot.notes.size(), 3U);
     expect_mentions(snapshot.notes[0], {"metadata.json"});
-    expect_mentions(snapshot.notes[1], {"last of 2 states", "00001"});
+    expect_mentions(snapshot.notes[1], {"last of 3 states", "state 1 of trajectory 00001"});
     expect_mentions(snapshot.notes[2], {"1 particles are fluid, 2 walls, 1 ignored"});
 
     ReadChoices choices;
     choices.fluid = {"particle_type=3"};
     EXPECT_EQ(read_snapshot(file, choices).positions, (Positions{{5, 6, 0}}));
+
+    const Positions expected[] = {{{7, 7, 0}}, {{9, 9, 0}}, {{1, 2, 0}}};
+    for (std::uint64_t frame = 0; frame < 3; ++frame) {
+        ReadChoices one;
+        one.frame = frame;
+        snapshot = read_snapshot(file, one);
+        EXPECT_EQ(snapshot.positions, expected[frame]);
+        EXPECT_EQ(snapshot.provenance["frame"], std::to_string(frame));
+        expect_mentions(snapshot.notes[1], {"of 0 to 2", frame == 0 ? "state 0 of trajectory 00000"
+                                                                    : "of trajectory 00001"});
+    }
+    ReadChoices fourth;
+    fourth.frame = 3;
+    expect_mentions(error_of<InputError>([&] { read_snapshot(file, fourth); }),
+                    {"other.hdf5", "--frame 3", "0 to 2", "3 states"});
 
     std::ofstream(folder / "metadata.json")
         << R"({"dx": 0.5, "bounds": [[0, 8], [1, 9]], "periodic_boundary_conditions": [true, false]})";
