@@ -31,7 +31,7 @@ bool is_hdf5(const std::filesystem::path& file) {
 bool is_own_hdf5_of_full_length(const std::filesystem::path& file) {
     // Superblock 2: version, sizes of offsets and lengths, flags; base address, extension, end of
     // file.
-    const std::string begin = signature + std::string("\x02\x08\x08\x00", 4);
+    const std::string begin = signature + "\x02\x08\x08";
     constexpr std::size_t end_of_file = 28;
     std::uint64_t length = 0;
     const std::string bytes = read_whole(file, end_of_file + sizeof length);

@@ -37,6 +37,11 @@ TEST_F(Label, AChosenFrameIsLabelledUnderItsNumber) {
     };
     const Path file = write("run.xyz", state("1") + state("2") + state("3"));
     const Words words = {"label", file, "-o", folder / "out", "--support-radius", "1"};
+    const auto succeed = [&](const Words& label) { // which warns of so few neighbors
+        const Outcome outcome = run(program + label);
+        EXPECT_EQ(outcome.status, 0) << outcome.errors;
+        return outcome.output;
+    };
     expect_mentions(succeed(words + Words{"--frame", "1"}), {"run_1.vtkhdf", "state 1 of 0 to 2"});
     expect_mentions(succeed(words), {"run.vtkhdf", "last of 3 states"});
     const Snapshot chosen = read_vtkhdf(folder / "out/run_1.vtkhdf");
