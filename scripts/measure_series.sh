@@ -13,14 +13,13 @@ for ((i = 0; i < frames; ++i)); do
     cp data/samples/droplet_iisph_14.vtkhdf "$folder/frames/droplet_$i.vtkhdf"
 done
 
-# measure NAME VERB OPTIONS...
+# measure NAME VERB OPTIONS...: on the clock, and of all processors together.
 measure() {
-    local name=$1 begin end
+    local name=$1 TIMEFORMAT='%R %U %S'
     shift
-    begin=$(date +%s.%N)
-    "$meniscus" "$@" --threads "$threads" --quiet
-    end=$(date +%s.%N)
-    awk -v name="$name" "BEGIN { printf \"%-14s %7.1f s, %6.1f ms a frame\n\", name, $end - $begin, 1000 * ($end - $begin) / $frames }"
+    { time "$meniscus" "$@" --threads "$threads" --quiet 2>&3; } 3>&2 2>"$folder/time"
+    awk -v name="$name" -v frames="$frames" '{ printf "%-14s %7.1f s, %6.1f s of processors, %6.1f ms of them a frame\n",
+        name, $1, $2 + $3, 1000 * ($2 + $3) / frames }' "$folder/time"
 }
 
 echo "$frames frames, $threads thread(s)"

@@ -74,5 +74,5 @@ folder, changelog = map(Path, sys.argv[1:])
 test_itself()
 found = faults((folder / "released_interface.txt").read_text(),
                (folder / "exported_interface.txt").read_text(), changelog.read_text())
-print("\n".join(found))
+print(*found, sep="\n", end="\n" if found else "")
 sys.exit(1 if found else 0)
