@@ -29,11 +29,12 @@ else
 fi
 trap 'rm -rf "$root"' EXIT
 
-# A command in the root; what it prints is shown where it fails.
+# A command in the root, with a /proc of its own; what it prints is shown where it fails.
 inside() {
     echo "== $*"
     env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 \
         DEBIAN_FRONTEND=noninteractive OMP_NUM_THREADS=1 \
+        unshare --mount --pid --fork --mount-proc="$root/proc" \
         chroot "$root" bash -euo pipefail -c "$*" >"$work/output" 2>&1 ||
         { tail -n 40 "$work/output"; exit 1; }
 }
@@ -46,7 +47,7 @@ inside "apt-get update -q && apt-get install -q -y --no-install-recommends /try/
 inside "meniscus --version"
 inside "meniscus demo -o /try/demo --quiet && test -s /try/demo/surface_coefficients.hpp"
 inside "meniscus label /usr/share/meniscus/samples/droplet_iisph_01.vtkhdf -o /try/out --quiet --report /try/page.html"
-inside "meniscus simulate drop_2d --duration 0.01 -o /try/run --quiet"
+inside "meniscus simulate drop_2d --duration 0.05 -o /try/run --quiet"
 inside "test -s /usr/share/man/man1/meniscus.1 && test -s /usr/share/bash-completion/completions/meniscus"
 inside "cd /try && python3 -c '
 import meniscus
