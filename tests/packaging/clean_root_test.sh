@@ -61,5 +61,5 @@ inside "cd /try && gcc examples/04_c_interface.c -o c_interface \$(pkg-config --
 inside "cmake -S /try/examples -B /try/build -DCMAKE_BUILD_TYPE=Release && cmake --build /try/build && ctest --test-dir /try/build --output-on-failure"
 
 inside "apt-get purge -q -y meniscus"
-inside "test -z \"\$(find / -xdev -path /try -prune -o -name '*meniscus*' -print)\""
+inside "! find / -xdev -path /try -prune -o -name '*meniscus*' -print | grep ."
 echo "installed, run and removed: ${package[0]##*/}"
