@@ -1,19 +1,24 @@
 // meniscus classify: the runtime on files. Writes what a solver that uses the model would see.
+#include "earlier_outputs.hpp"
 #include "file_batch.hpp"
 #include "input_files.hpp"
-#include "label.hpp"
+#include "input_options.hpp"
 #include "shipped_models.hpp"
 #include "surface_tension.hpp"
 #include "usage.hpp"
 
+#include <meniscus/app/ranks/ranks_of_program.hpp>
+#include <meniscus/app/report/report.hpp>
 #include <meniscus/classifier/audit/audit.hpp>
 #include <meniscus/classifier/model/classify_snapshot.hpp>
+#include <meniscus/data/formats/snapshot_files.hpp>
 #include <meniscus/data/formats/vtkhdf.hpp>
 #include <meniscus/data/particles/particle_arrays.hpp>
 #include <meniscus/data/particles/particle_volumes.hpp>
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/files.hpp>
 #include <meniscus/data/text/text.hpp>
+#include <meniscus/labeler/labeler.hpp>
 #include <meniscus/runtime/surface/surface_particles.hpp>
 #include <meniscus/runtime/version.hpp>
 
@@ -32,6 +37,7 @@ struct ClassifyCommand {
     std::optional<std::string> model; ///< file or name; without, the one that fits
     Path boundary; ///< file of boundary particles; empty: those of the input itself
     SurfaceChoices surface;
+    std::optional<Path> report; ///< page to write
     bool skip_invalid = false;
     int threads = 0;
     bool quiet = false;
@@ -104,9 +110,9 @@ FileReport classify_file(const Path& input, const Path& output, const Classifier
                          int threads, const ClassifyCommand& command) {
     const std::string request = request_of("classify", input, command.input, classifier.boundary,
                                            request_words(command, classifier));
-    const auto earlier = earlier_output(output, "predicted_surface");
-    if (is_up_to_date(earlier, request))
+    if (is_up_to_date(output, request))
         return {{}, printable(output.string()) + ": up to date\n", true, {}};
+    const auto earlier = earlier_output(output, "predicted_surface");
     Snapshot snapshot = read_input(input, command.input);
     set_boundary(snapshot, classifier.boundary);
     set_periodic(snapshot, command.input);
@@ -129,6 +135,46 @@ FileReport classify_file(const Path& input, const Path& output, const Classifier
     return report_of(input, output, snapshot, classes, found);
 }
 
+/// What was classified with the labels beside it that the model was to find.
+Snapshot read_and_label(const Path& output, const Model& model, const ClassifyCommand& command) {
+    Snapshot snapshot = read_snapshot(output);
+    LabelOptions options;
+    options.radius_ratio = model.radius_ratio;
+    options.boundary_weight = model.boundary_weight;
+    options.skip_invalid = command.skip_invalid;
+    options.threads = command.threads;
+    const SupportRadii radii = support_radii(snapshot);
+    add_labels(snapshot, label_particles(snapshot, radii, options), radii, options);
+    return snapshot;
+}
+
+/// Writes the page of what was classified by the first output's model, whose misses the states'
+/// labels tell.
+void write_page(const ClassifyCommand& command, const Classifier& classifier,
+                const std::vector<Path>& outputs) {
+    const auto chosen =
+        model_for(classifier, read_snapshot(outputs.front()), command.skip_invalid, command.threads)
+            .first;
+    std::vector<Path> drawn;
+    for (const Path& output : outputs) {
+        if (read_vtkhdf_header(output).provenance.at("model_hash") == chosen.hash)
+            drawn.push_back(output);
+        else
+            print_error_line(fmt::format("warning: {}: is not in the report, which is of model {}; "
+                                         "give files of another model by themselves",
+                                         output.string(), chosen.name));
+    }
+    AuditOptions options;
+    options.threads = command.threads;
+    options.read = [&](const Path& output) {
+        return read_and_label(output, chosen.model, command);
+    };
+    AuditReport report = audit(chosen.model, drawn, options);
+    report.model.file = chosen.name;
+    options.label_threshold = report.label_threshold;
+    write_report(*command.report, report_page(report, drawn, options));
+}
+
 void run_classify(const ClassifyCommand& command) {
     Classifier classifier;
     classifier.options = surface_options(command.surface);
@@ -138,9 +184,14 @@ void run_classify(const ClassifyCommand& command) {
         classifier.model = named_model(*command.model);
     InputsAndFolder files = command.files;
     files.inputs = input_files(files.inputs);
-    const auto outputs = output_files(files, {command.model.value_or(""), command.boundary});
+    const auto outputs =
+        output_files(files, {command.model.value_or(""), command.boundary}, command.input.frame);
     classifier.boundary = read_boundary(command.boundary);
     make_writable_folder(files.folder);
+    if (command.report) {
+        check_can_be_written(*command.report);
+        check_is_not_an_input(*command.report, files.inputs);
+    }
     const FileBatch batch = {"classifying",   "classified",  {"particles", "candidates", "surface"},
                              command.threads, command.quiet, command.keep_going};
     write_for_each_file(files.inputs, outputs, batch, [&](std::size_t f, int threads) {
@@ -148,6 +199,8 @@ void run_classify(const ClassifyCommand& command) {
             return classify_file(files.inputs[f], outputs[f], classifier, threads, command);
         });
     });
+    if (command.report && !is_other_rank())
+        write_page(command, classifier, outputs);
 }
 
 } // namespace
@@ -177,6 +230,9 @@ void add_classify(CLI::App& command) {
         "Leave particles out, with valid = 0, whose position is not finite or lies too far "
         "out for its number type");
     add_surface_options(*verb, options->surface);
+    verb->add_option("--report", options->report,
+                     "Page of HTML to write: the states with their classes, labelled to show what "
+                     "the model misses, to look at in any browser");
     add_threads_option(*verb, options->threads);
     add_keep_going_option(*verb, options->keep_going);
     add_quiet_option(*verb, options->quiet);

@@ -117,14 +117,16 @@ void check_is_no_checkpoint(const Path& input) {
 
 } // namespace
 
-std::vector<Path> output_files(const InputsAndFolder& files, const std::vector<Path>& also_read) {
+std::vector<Path> output_files(const InputsAndFolder& files, const std::vector<Path>& also_read,
+                               std::optional<std::uint64_t> frame) {
+    const std::string suffix = frame ? fmt::format("_{}", *frame) : "";
     std::map<Path, Path> input_of;
     std::vector<Path> outputs;
     for (const Path& input : files.inputs) {
         if (!std::filesystem::exists(input))
             throw InputError(fmt::format("{}: no such file", input.string()));
         check_is_no_checkpoint(input);
-        outputs.push_back(files.folder / (telling_stem(input) + ".vtkhdf"));
+        outputs.push_back(files.folder / (telling_stem(input) + suffix + ".vtkhdf"));
         const auto [other, is_new] = input_of.emplace(outputs.back(), input);
         if (!is_new)
             throw InputError(fmt::format("{} and {} would both be written to {}; label them into "

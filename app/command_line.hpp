@@ -9,7 +9,9 @@
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -69,10 +71,12 @@ struct InputsAndFolder {
     bool overwrite = false; ///< outputs that were made from another input
 };
 
-/// Output of each input: folder/<stem of input>.vtkhdf. Throws InputError where an input does not
+/// Output of each input: folder/<stem of input>.vtkhdf, or <stem>_<frame> where a state of a
+/// trajectory is chosen. Throws InputError where an input does not
 /// exist, where two inputs have one output name, or where an output would fall on an input or on
 /// one of the other files that are read.
-std::vector<Path> output_files(const InputsAndFolder& files, const std::vector<Path>& also_read);
+std::vector<Path> output_files(const InputsAndFolder& files, const std::vector<Path>& also_read,
+                               std::optional<std::uint64_t> frame);
 
 /// Adds --overwrite to a verb.
 void add_overwrite_option(CLI::App& verb, InputsAndFolder& files);

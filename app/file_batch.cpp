@@ -26,16 +26,6 @@ constexpr std::size_t max_warnings = 5;         // in front of a summary
 constexpr std::uintmax_t small_file = 32 << 20; // bytes; each thread holds one
 constexpr std::size_t files_a_thread = 2;       // fewer leave threads without work
 
-bool are_many_and_small(const std::vector<Path>& files, int threads) {
-    if (files.size() < files_a_thread * static_cast<std::size_t>(threads))
-        return false;
-    return std::all_of(files.begin(), files.end(), [](const Path& file) {
-        std::error_code unknown;
-        const auto bytes = std::filesystem::file_size(file, unknown);
-        return unknown || bytes <= small_file;
-    });
-}
-
 /// Gathers what is said of files, from any thread, and prints it in their order.
 class Reports {
 public:
@@ -172,6 +162,16 @@ private:
 };
 
 } // namespace
+
+bool are_many_and_small(const std::vector<Path>& files, int threads) {
+    if (files.size() < files_a_thread * static_cast<std::size_t>(threads))
+        return false;
+    return std::all_of(files.begin(), files.end(), [](const Path& file) {
+        std::error_code unknown;
+        const auto bytes = std::filesystem::file_size(file, unknown);
+        return unknown || bytes <= small_file;
+    });
+}
 
 void add_keep_going_option(CLI::App& verb, bool& keep_going) {
     verb.add_flag("--keep-going", keep_going,

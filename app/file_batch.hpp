@@ -37,6 +37,9 @@ struct FileBatch {
     std::function<FileReport(std::size_t)> work_together = nullptr;
 };
 
+/// Whether so many threads work on a file each: they hold as many in memory.
+bool are_many_and_small(const std::vector<Path>& files, int threads);
+
 /// Adds --keep-going to a verb.
 void add_keep_going_option(CLI::App& verb, bool& keep_going);
 

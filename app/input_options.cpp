@@ -33,7 +33,7 @@ void check_lengths(const InputOptions& options) {
 }
 
 ReadChoices choices_of(const InputOptions& options) {
-    return {options.dimension, options.fluid, options.walls, options.ignored, false};
+    return {options.dimension, options.fluid, options.walls, options.ignored, false, options.frame};
 }
 
 /// What was chosen, so that a rerun with other choices is another run.
@@ -83,6 +83,10 @@ void add_input_options(CLI::App& verb, InputOptions& options) {
                     "2 or 3, where the files do not store it (default: 2 if all lie in the plane "
                     "xy, xz or yz)")
         ->check(CLI::IsMember({2, 3}));
+    verb.add_option("--frame", options.frame,
+                    "Which state of files that hold several, such as trajectories, counted from 0; "
+                    "outputs get its number behind their name (default: the last)")
+        ->check(whole_numbers());
     verb.add_option("--scene", options.scene,
                     "Scene that the states belong to (default: the stored one, else the file's "
                     "name without a trailing frame number)");
@@ -212,7 +216,8 @@ std::string request_of(const std::string& verb, const Path& input, const InputOp
           number_of(options.support_radius), number_of(options.particle_spacing),
           number_of(options.particle_volume), number_of(options.particle_radius),
           joined(options.fluid), joined(options.walls), joined(options.ignored),
-          std::to_string(options.dimension.value_or(0)), options.periodic, joined(others)})
+          std::to_string(options.dimension.value_or(0)), options.periodic,
+          options.frame ? std::to_string(*options.frame) : "", joined(others)})
         add(text);
     return sum.text();
 }

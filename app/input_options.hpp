@@ -21,8 +21,9 @@ struct InputOptions {
     std::vector<std::string> fluid;         ///< arrays, or point data and a value ("Type=3")
     std::vector<std::string> walls;
     std::vector<std::string> ignored;
-    std::optional<int> dimension; ///< 2 or 3
-    std::string periodic;         ///< sides of the box; empty: as the file says
+    std::optional<int> dimension;       ///< 2 or 3
+    std::optional<std::uint64_t> frame; ///< of a file that holds several, from 0
+    std::string periodic;               ///< sides of the box; empty: as the file says
     std::string scene;
 };
 

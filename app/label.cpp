@@ -1,5 +1,6 @@
 // meniscus label: ground truth for snapshots of any format.
 #include "label.hpp"
+#include "earlier_outputs.hpp"
 #include "file_batch.hpp"
 #include "input_files.hpp"
 #include "large_states.hpp"
@@ -206,15 +207,18 @@ LargeStateOptions memory_options(const LabelCommand& command, int threads) {
 FileReport label_file(const Path& input, const Path& output, const Boundary& boundary, int threads,
                       const LabelCommand& command, Ranks& ranks) {
     std::string request;
+    bool is_done = false;
     std::optional<Snapshot> earlier;
     std::optional<LargeState> large;
     do_together(ranks, [&] {
         request = request_of("label", input, command.input, boundary, request_words(command));
+        is_done = is_up_to_date(output, request);
+        if (is_done)
+            return;
         earlier = earlier_output(output, "uncovered_fraction");
-        if (!is_up_to_date(earlier, request))
-            large = large_state(input, boundary, memory_options(command, threads), command.label);
+        large = large_state(input, boundary, memory_options(command, threads), command.label);
     });
-    if (is_up_to_date(earlier, request))
+    if (is_done)
         return {{}, printable(output.string()) + ": up to date\n", true, {}};
     LabelOptions options = command.label;
     options.threads = threads;
@@ -243,55 +247,11 @@ std::string check_scheme(const std::string& name) {
 
 } // namespace
 
-std::optional<Snapshot> earlier_output(const Path& output, const char* array) {
-    if (!std::filesystem::exists(output))
-        return {};
-    try {
-        Snapshot header = is_hdf5(output) ? read_vtkhdf_header(output) : Snapshot{};
-        if (find_array(header, array) != nullptr)
-            return header;
-    } catch (const InputError&) { // a damaged file, a folder
-    }
-    throw InputError(fmt::format("{}: exists and is no snapshot with '{}'; remove it or choose "
-                                 "another folder with -o",
-                                 output.string(), array));
-}
-
-bool is_up_to_date(const std::optional<Snapshot>& earlier, const std::string& request) {
-    if (!earlier)
-        return false;
-    const auto made_for = earlier->provenance.find("request");
-    return made_for != earlier->provenance.end() && made_for->second == request;
-}
-
-void set_input_provenance(Snapshot& snapshot, const Path& input) {
-    const Path whole = std::filesystem::canonical(input);
-    const Path folder = whole.parent_path();
-    snapshot.provenance["input"] =
-        (folder.parent_path().filename() / folder.filename() / whole.filename()).string();
-    snapshot.provenance["input_hash"] = file_hash(input);
-}
-
-void check_made_from_same(const Path& output, const std::optional<Snapshot>& earlier,
-                          const Snapshot& snapshot) {
-    const auto is_same = [&](const char* name) {
-        const auto entry = earlier->provenance.find(name);
-        return entry != earlier->provenance.end() && entry->second == snapshot.provenance.at(name);
-    };
-    if (!earlier || is_same("input_hash") || is_same("input"))
-        return;
-    const auto name = earlier->provenance.find("input");
-    throw InputError(fmt::format("{}: was made from another input{}; choose another folder with "
-                                 "-o, or --overwrite",
-                                 output.string(),
-                                 name == earlier->provenance.end() ? "" : ", " + name->second));
-}
-
 std::vector<Path> run_label(const LabelCommand& asked) {
     LabelCommand command = asked;
     InputsAndFolder& files = command.files;
     files.inputs = input_files(files.inputs);
-    auto outputs = output_files(files, {command.boundary});
+    auto outputs = output_files(files, {command.boundary}, command.input.frame);
     const Boundary boundary = read_boundary(command.boundary);
     make_writable_folder(files.folder);
     if (command.report) {

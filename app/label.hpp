@@ -4,7 +4,6 @@
 #include "command_line.hpp"
 #include "input_options.hpp"
 
-#include <meniscus/data/particles/snapshot.hpp>
 #include <meniscus/labeler/labeler.hpp>
 
 #include <cstdint>
@@ -13,22 +12,6 @@
 #include <vector>
 
 namespace meniscus {
-
-/// What an earlier run left at `output`: its provenance and names of arrays, without particles;
-/// nothing where there is no file. Throws InputError where something else than a snapshot with the
-/// point data `array` is there: that is not ours to overwrite.
-std::optional<Snapshot> earlier_output(const Path& output, const char* array);
-
-/// Whether that is what is asked for again.
-bool is_up_to_date(const std::optional<Snapshot>& earlier, const std::string& request);
-
-/// Says in the provenance what the snapshot is made from: SHA-256 of the input, and the end of its
-/// path, by which a changed input is told from another one.
-void set_input_provenance(Snapshot& snapshot, const Path& input);
-
-/// Throws InputError where an earlier output was made from another input than `snapshot` is.
-void check_made_from_same(const Path& output, const std::optional<Snapshot>& earlier,
-                          const Snapshot& snapshot);
 
 struct LabelCommand {
     InputsAndFolder files;

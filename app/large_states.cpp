@@ -50,6 +50,8 @@ std::string obstacle(const Snapshot& outline, const InputOptions& options, bool 
         return "its particles are chosen by their data";
     if (!outline.dimension_is_stated || !has_same_names(outline))
         return "another program wrote it";
+    if (options.frame)
+        return "--frame is for files of several states";
     if (options.dimension.value_or(outline.dimension) != outline.dimension)
         return "--dimension is not what it says";
     if (outline.dimension == 2 && has_boundary_file)

@@ -30,6 +30,7 @@ struct PictureCommand {
     std::optional<std::string> title;
     std::optional<double> diameter;
     std::optional<int> dimension;
+    std::optional<std::uint64_t> frame;
     bool with_boundary = false;
     bool quiet = false;
 };
@@ -107,6 +108,7 @@ void run_picture(const PictureCommand& command) {
     check_is_not_an_input(command.output, {command.input});
     ReadChoices choices;
     choices.dimension = command.dimension;
+    choices.frame = command.frame;
     const Snapshot snapshot = read_snapshot(command.input, choices);
     std::optional<std::pair<double, double>> range;
     if (!command.range.empty())
@@ -157,6 +159,9 @@ void add_picture(CLI::App& command) {
     verb->add_option("--dimension", options->dimension,
                      "2 or 3, where the file does not store it (default: as for label)")
         ->check(CLI::IsMember({2, 3}));
+    verb->add_option("--frame", options->frame,
+                     "Which state of a file that holds several, counted from 0 (default: the last)")
+        ->check(whole_numbers());
     verb->add_flag("--walls", options->with_boundary, "Boundary particles, too, in gray");
     add_quiet_option(*verb, options->quiet);
     add_examples(*verb, {{"meniscus picture labelled/dam.vtkhdf -o dam.png --cut z",

@@ -1,4 +1,5 @@
 // meniscus train: the line, from labelled snapshots.
+#include "file_batch.hpp"
 #include "input_files.hpp"
 #include "large_states.hpp"
 #include "usage.hpp"
@@ -14,9 +15,14 @@
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/files.hpp>
 #include <meniscus/data/text/text.hpp>
+#include <meniscus/data/threads/threads.hpp>
 
+#include <atomic>
+#include <cstddef>
+#include <exception>
 #include <fmt/format.h>
 #include <memory>
+#include <vector>
 
 namespace meniscus {
 namespace {
@@ -30,6 +36,7 @@ struct TrainCommand {
     std::vector<std::string> second_features; ///< empty: one line
     TrainingOptions training;
     std::uint64_t memory = 0; ///< bytes; files that take more are visited one by one; 0: no limit
+    int threads = 0;
     bool quiet = false;
 };
 
@@ -42,13 +49,33 @@ FeaturePair first_features(const TrainCommand& command) {
     return command.training.keep_k ? command.training.keep_k->features : FeaturePair{};
 }
 
+/// The states in the order of the files, several of which are read at a time where they are small.
+/// Throws what the first file at fault does.
 std::vector<LabelledState> read_states(const TrainCommand& command, const FeaturePair& features) {
-    std::vector<LabelledState> states;
-    ProgressBar bar("reading", command.inputs.size(), command.quiet);
-    for (const Path& input : command.inputs) {
-        states.push_back(read_labelled_state(input, command.scene, features));
-        bar.show(states.size());
+    const std::vector<Path>& files = command.inputs;
+    std::vector<LabelledState> states(files.size());
+    std::vector<std::exception_ptr> failures(files.size());
+    ProgressBar bar("reading", files.size(), command.quiet);
+    std::size_t done = 0;
+    std::atomic<bool> stop{false};
+    const int threads = thread_count(command.threads);
+#pragma omp parallel for num_threads(are_many_and_small(files, threads) ? threads : 1)             \
+    schedule(dynamic, 1)
+    for (std::size_t f = 0; f < files.size(); ++f) {
+        if (stop) // the files before are read or being read
+            continue;
+        try {
+            states[f] = read_labelled_state(files[f], command.scene, features);
+        } catch (...) {
+            failures[f] = std::current_exception();
+            stop = true;
+        }
+#pragma omp critical
+        bar.show(++done);
     }
+    for (const std::exception_ptr& failure : failures)
+        if (failure)
+            std::rethrow_exception(failure);
     return states;
 }
 
@@ -223,6 +250,8 @@ void add_train(CLI::App& command) {
     add_memory_option(*verb, options->memory,
                       "Files that are more together are read one by one, several times, with the "
                       "same line");
+    add_threads_option(*verb, options->threads);
+    verb->get_option("--threads")->description("Threads that read the files; 0: all cores");
     add_quiet_option(*verb, options->quiet);
     add_examples(
         *verb,

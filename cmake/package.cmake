@@ -36,6 +36,7 @@ set(CPACK_DEBIAN_MENISCUS_PACKAGE_NAME meniscus)
 set(CPACK_DEBIAN_MENISCUS_DESCRIPTION "${CPACK_PACKAGE_DESCRIPTION}")
 if(MENISCUS_PYTHON AND TARGET meniscus_python)
     set(CPACK_DEBIAN_MENISCUS_PACKAGE_DEPENDS "python3, python3-numpy")
+    set(CPACK_DEBIAN_MENISCUS_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/packaging/debian/prerm)
 endif()
 # What programs that are built against the static libraries need besides.
 set(CPACK_DEBIAN_MENISCUS_PACKAGE_SUGGESTS "libhdf5-dev, libssl-dev, libzstd-dev, zlib1g-dev, meniscus-trainer")

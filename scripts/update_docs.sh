@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
 # Prints the tables of README, docs/ and docs/data/ again from the samples, between their "begin" and
 # "end" comments, wherever these stand, and draws the plots. Takes some minutes, curvature half an
-# hour; speed, speed-against-error, surface-speed and step-speed want an otherwise idle machine,
-# sampling and normals Debian's python3-matplotlib, too.
+# hour; speed, speed-against-error, surface-speed and step-speed want an otherwise idle machine.
 # Usage: scripts/update_docs.sh [TABLES]   (default: all)
 # TABLES: accuracy, own-scenes (runs scenes for some ten minutes), speed, sampling, force,
 # detectors, surface-speed, normals, curvature, scenes, simulation, studies, contact-angles,
@@ -47,9 +46,11 @@ print() {
     fill "${2:-$1}" "$bin/meniscus_bench" "$1" "${@:3}"
 }
 
-# plot NAME TABLE OPTIONS...: docs/plots/NAME.svg of a table in docs/data/.
+# plot NAME TABLE OPTIONS...: docs/plots/NAME.svg of a table in docs/data/, or of another file.
 plot() {
-    "$bin/meniscus" plot "docs/data/$2.md" -o "docs/plots/$1.svg" --quiet "${@:3}"
+    local table=docs/data/$2.md
+    [ -e "$table" ] || table=$2
+    "$bin/meniscus" plot "$table" -o "docs/plots/$1.svg" --quiet "${@:3}"
 }
 
 prepare cmake --build build/release --target meniscus meniscus_bench meniscus_bench_native
@@ -91,8 +92,7 @@ if wanted speed; then
     print training-time "" "$work"/samples/*.vtkhdf
 fi
 if wanted sampling; then
-    print sampling-schemes "" $samples/*.vtkhdf --json "$work/schemes.json"
-    prepare scripts/plot_sampling_schemes.py "$work/schemes.json" docs/plots
+    print sampling-schemes "" $samples/*.vtkhdf
 fi
 if wanted force; then
     print young-laplace
@@ -108,10 +108,9 @@ if wanted surface-speed; then
 fi
 if wanted normals; then
     print normals-circle
-    print normals-schemes "" --json "$work/schemes.json"
+    print normals-schemes
     print normals-smoothing
-    print normals-time "" --json "$work/times.json"
-    prepare scripts/plot_normals.py "$work"/{schemes,times}.json docs/plots
+    print normals-time
     print normals-ratio "" $samples/droplet_iisph_14.vtkhdf
 fi
 if wanted curvature; then
@@ -209,6 +208,14 @@ if wanted plots && [ "$what" != list ]; then
     plot fade fade --x fade --y "lambda < 0.02" --series fluid --panel form --joined
     plot normals_ratio normals_ratio --x r2/r1 --y "degrees, 128 samples" \
         --y "error of h kappa, 128 samples" --series case --joined
+    for quantity in error discrepancy; do
+        scripts/long_tables.py sampling $quantity >"$work/sampling.md"
+        plot sampling_$quantity "$work/sampling.md" --x "directions a particle" --y $quantity \
+            --series scheme --panel dimension --joined --logarithmic xy
+    done
+    scripts/long_tables.py normals >"$work/normals.md"
+    plot normals "$work/normals.md" --x "ns a surface particle" --y "mean error, degrees" \
+        --series directions --panel normals --joined --logarithmic xy
     rows=(--table 1 --x "median, ms" --names benchmark --logarithmic x)
     for table in speed label_speed surface_speed; do
         plot $table $table "${rows[@]}"

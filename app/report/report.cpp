@@ -3,7 +3,6 @@
 #include "page.hpp"
 #include "report_state.hpp"
 
-#include <meniscus/data/formats/snapshot_files.hpp>
 #include <meniscus/runtime/version.hpp>
 
 namespace meniscus {
@@ -51,7 +50,7 @@ Json states_json(const Model& model, const std::vector<std::filesystem::path>& f
     std::size_t particles = 0;
     Json states = Json::array();
     for (const auto& file : files) {
-        const Snapshot snapshot = read_snapshot(file);
+        const Snapshot snapshot = read_audited(file, options);
         LabelledState state = labelled_state(snapshot, file);
         if (!options.scene.empty())
             state.scene = options.scene;

@@ -8,9 +8,13 @@
 #include <meniscus/data/formats/snapshot_files.hpp>
 #include <meniscus/data/formats/vtkhdf.hpp>
 #include <meniscus/data/particles/particle_arrays.hpp>
+#include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/text.hpp>
 
 #include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
 
 namespace meniscus {
 namespace {
@@ -173,11 +177,15 @@ py::dict snapshot_to_python(Snapshot&& snapshot) {
 }
 
 void add_snapshots(py::module_& module) {
-    module.def("read", [](const std::filesystem::path& file) {
+    module.def("read", [](const std::filesystem::path& file, std::optional<std::int64_t> frame) {
+        ReadChoices choices;
+        if (frame && *frame < 0)
+            throw InputError("frame must not be negative, found " + std::to_string(*frame));
+        choices.frame = frame;
         Snapshot snapshot = [&] {
             const py::gil_scoped_release released;
             const std::lock_guard<std::mutex> alone(file_access());
-            Snapshot read = read_snapshot(file);
+            Snapshot read = read_snapshot(file, choices);
             read.scene = scene_of(read, file);
             set_common_radius(read);
             return read;

@@ -65,11 +65,9 @@ AuditRow audit_state(const Model& model, const Snapshot& snapshot, const Labelle
 
 AuditedFile audit_file(const Model& model, const std::filesystem::path& file,
                        const AuditOptions& options) {
-    return judged_file(file, options.scene,
-                       [&](const Snapshot& snapshot, const LabelledState& state) {
-                           return audit_state(model, snapshot, state, threshold_of(model, options),
-                                              options.threads);
-                       });
+    return judged_file(file, options, [&](const Snapshot& snapshot, const LabelledState& state) {
+        return audit_state(model, snapshot, state, threshold_of(model, options), options.threads);
+    });
 }
 
 AuditReport audit_report(const Model& model, const AuditOptions& options,

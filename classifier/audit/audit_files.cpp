@@ -32,13 +32,17 @@ std::vector<std::uint8_t> valid_particles(const Snapshot& snapshot, const std::s
     return valid;
 }
 
-AuditedFile judged_file(const std::filesystem::path& file, const std::string& scene,
+Snapshot read_audited(const std::filesystem::path& file, const AuditOptions& options) {
+    return options.read ? options.read(file) : read_snapshot(file);
+}
+
+AuditedFile judged_file(const std::filesystem::path& file, const AuditOptions& options,
                         const Judge& judge) {
-    const Snapshot snapshot = read_snapshot(file);
+    const Snapshot snapshot = read_audited(file, options);
     LabelledState state = labelled_state(snapshot, file);
     state.hash = state_hash(snapshot, file);
-    if (!scene.empty())
-        state.scene = scene;
+    if (!options.scene.empty())
+        state.scene = options.scene;
     AuditedFile judged;
     judged.row = judge(snapshot, state);
     judged.use = {state.file, state.spacing_ratio, bulk_neighbor_count(state)};
@@ -74,7 +78,7 @@ AuditReport audit_files(const std::vector<std::filesystem::path>& files,
     std::vector<AuditedFile> judged;
     judged.reserve(files.size());
     for (const auto& file : files)
-        judged.push_back(judged_file(file, options.scene, judge));
+        judged.push_back(judged_file(file, options, judge));
     return sum_of_files(judged, label_threshold);
 }
 

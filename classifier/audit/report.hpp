@@ -4,8 +4,11 @@
 #include <meniscus/classifier/detectors/detectors.hpp>
 #include <meniscus/classifier/model/model.hpp>
 #include <meniscus/classifier/training_set/error_counts.hpp>
+#include <meniscus/data/particles/snapshot.hpp>
 
 #include <cstdint>
+#include <filesystem>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -18,7 +21,12 @@ struct AuditOptions {
     std::optional<double> label_threshold;
     std::string scene; ///< replaces the files' own scenes where not empty
     int threads = 0;   ///< 0: all cores; the report does not depend on it
+    /// Reads a file into a labelled snapshot; null: read_snapshot, as label has written it.
+    std::function<Snapshot(const std::filesystem::path&)> read = nullptr;
 };
+
+/// The labelled snapshot of a file, as the options say. Throws what their `read` does.
+Snapshot read_audited(const std::filesystem::path& file, const AuditOptions& options);
 
 /// What a detector's particles say of its threshold: their responses (detectors.hpp), with the sign
 /// turned where surface is above, so that flagged is what lies below.

@@ -1,9 +1,9 @@
 // DeepLagrangianFluids' records (`.msgpack.zst`): MessagePack, compressed by Zstandard, of a list
 // of states. A state is a map in which `pos`, `vel`, `m` and `viscosity` are NumPy arrays, as
-// msgpack-numpy writes them; `box` of the first state is the walls. The last state is read, and it
-// is said.
+// msgpack-numpy writes them; `box` of the first state is the walls.
 #include "snapshot_formats.hpp"
 
+#include "detail/frames.hpp"
 #include "detail/msgpack_items.hpp"
 #include "detail/number_blocks.hpp"
 #include <meniscus/data/text/errors.hpp>
@@ -162,14 +162,15 @@ bool is_zstd(const fs::path& file) {
 }
 
 /// Throws InputError on anything else; memory is bounded by the file's own size.
-Snapshot read_record(const fs::path& file, const ReadChoices& /*choices*/) {
+Snapshot read_record(const fs::path& file, const ReadChoices& choices) {
     const std::string content = decompressed(file, read_whole(file));
     std::string_view rest = content;
     const auto head = take_item(rest);
     if (!head || head->kind != Kind::array || head->count == 0)
         fail(file, "a list of states in MessagePack", "something else");
     const std::string_view first = rest;
-    for (std::uint64_t state = 1; state < head->count; ++state)
+    const std::uint64_t frame = frame_to_read(choices, head->count);
+    for (std::uint64_t state = 0; state < frame; ++state)
         if (!skip_item(rest))
             fail(file, "whole states", "the end of the file; copy or make it again");
     Snapshot snapshot = snapshot_of(file, entries_of(file, rest));
@@ -180,14 +181,14 @@ Snapshot read_record(const fs::path& file, const ReadChoices& /*choices*/) {
         snapshot.notes.push_back("walls: box, " + std::to_string(snapshot.boundary.size()) +
                                  " particles");
     }
-    snapshot.notes.push_back("the last of " + std::to_string(head->count) + " states is read");
+    note_frame(snapshot, choices, frame, head->count);
     return snapshot;
 }
 
 } // namespace
 
 SnapshotFormat deep_lagrangian_fluids_format() {
-    return {"DeepLagrangianFluids", is_zstd, read_record};
+    return {"DeepLagrangianFluids", is_zstd, read_record, true};
 }
 
 } // namespace meniscus

@@ -1,11 +1,14 @@
 // H5Part: a group /Step#N for each state with an array for each quantity; x, y and z are the
-// positions. Of several states the last is read, and it is said.
+// positions. States are in the order of N.
+#include "detail/frames.hpp"
 #include "detail/hdf5_formats.hpp"
 
 #include <meniscus/data/text/text.hpp>
 
 #include <cmath>
 #include <cstdint>
+#include <iterator>
+#include <map>
 #include <string>
 #include <string_view>
 
@@ -14,28 +17,21 @@ namespace {
 
 constexpr std::string_view step = "Step#";
 
-/// The name of the last step; empty where there is none.
-std::string last_step(const Hdf5Source& source, std::size_t& count) {
-    std::string last;
-    std::uint64_t highest = 0;
+/// The names of the steps, by their numbers.
+std::map<std::uint64_t, std::string> steps_in(const Hdf5Source& source) {
+    std::map<std::uint64_t, std::string> steps;
     for (const std::string& name : names_in(source, "/")) {
         std::uint64_t number = 0;
-        if (name.rfind(step, 0) != 0 ||
-            read_number(std::string_view(name).substr(step.size()), number) != std::errc())
-            continue;
-        ++count;
-        if (last.empty() || number > highest) {
-            last = name;
-            highest = number;
-        }
+        if (name.rfind(step, 0) == 0 &&
+            read_number(std::string_view(name).substr(step.size()), number) == std::errc())
+            steps.emplace(number, name);
     }
-    return last;
+    return steps;
 }
 
 bool holds_h5part(const Hdf5Source& source) {
-    std::size_t count = 0;
-    const std::string last = last_step(source, count);
-    return !last.empty() && exists(source, "/" + last + "/x");
+    const auto steps = steps_in(source);
+    return !steps.empty() && exists(source, "/" + steps.rbegin()->second + "/x");
 }
 
 std::vector<double> read_column(const Hdf5Source& source, const std::string& path,
@@ -64,9 +60,11 @@ void read_positions(const Hdf5Source& source, const std::string& group, Snapshot
     snapshot.dimension = snapshot.dimension_is_stated ? 2 : dimension_of(snapshot.positions);
 }
 
-Snapshot h5part_snapshot(const Hdf5Source& source, const ReadChoices& /*choices*/) {
-    std::size_t count = 0;
-    const std::string group = "/" + last_step(source, count);
+Snapshot h5part_snapshot(const Hdf5Source& source, const ReadChoices& choices) {
+    const auto steps = steps_in(source);
+    const std::uint64_t frame = frame_to_read(choices, steps.size());
+    const std::string group =
+        "/" + std::next(steps.begin(), static_cast<std::ptrdiff_t>(frame))->second;
     Snapshot snapshot;
     read_positions(source, group, snapshot);
     for (const std::string& name : array_names_in(source, group)) {
@@ -79,16 +77,14 @@ Snapshot h5part_snapshot(const Hdf5Source& source, const ReadChoices& /*choices*
     const auto time = number_attribute<double>(source, group.c_str(), "time", 1);
     if (!time.empty() && std::isfinite(time[0]))
         snapshot.time = time[0];
-    if (count > 1)
-        snapshot.notes.push_back("the last of " + std::to_string(count) + " steps is read, " +
-                                 group.substr(1));
+    note_frame(snapshot, choices, frame, steps.size(), group.substr(1));
     return snapshot;
 }
 
 } // namespace
 
 Hdf5Format h5part_format() {
-    return {"H5Part", holds_h5part, h5part_snapshot};
+    return {"H5Part", holds_h5part, h5part_snapshot, true};
 }
 
 } // namespace meniscus

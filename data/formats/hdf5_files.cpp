@@ -1,6 +1,7 @@
 // Snapshots in HDF5 files, read in a child process (isolated_read.hpp).
 #include "snapshot_formats.hpp"
 
+#include "detail/frames.hpp"
 #include "detail/hdf5_formats.hpp"
 #include <meniscus/data/hdf5/hdf5_signature.hpp>
 #include <meniscus/data/hdf5/isolated_read.hpp>
@@ -34,8 +35,11 @@ Snapshot read(const OpenedFile& file, const std::string& metadata, const ReadCho
     Hdf5Source source = open_source(file);
     source.metadata = metadata;
     for (const Hdf5Format& format : hdf5_formats())
-        if (format.holds(source))
+        if (format.holds(source)) {
+            if (!format.holds_frames)
+                expect_no_frame(choices);
             return format.read(source, choices);
+        }
     throw InputError(file.path.string() + ": expected a snapshot in a known format of HDF5 (" +
                      known_names() + "), found another HDF5 file; export it in one of these");
 }
@@ -49,7 +53,7 @@ Snapshot read_hdf5(const fs::path& file, const ReadChoices& choices) {
 } // namespace
 
 SnapshotFormat hdf5_format() {
-    return {known_names(), is_hdf5, read_hdf5};
+    return {known_names(), is_hdf5, read_hdf5, true};
 }
 
 } // namespace meniscus

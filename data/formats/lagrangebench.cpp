@@ -1,7 +1,8 @@
 // LagrangeBench's trajectories: a group 00000, 00001, ... for each, in it `position` (states x
 // particles x 2 or 3) and `particle_type` (0 fluid, 1 and 2 walls, 3 rigid bodies, -1 padding). Of
-// many states the last of the last trajectory is read, and it is said. The spacing and the periodic
-// box stand in a file beside it, metadata.json.
+// several trajectories the states are counted through. The spacing and the periodic box stand in a
+// file beside it, metadata.json.
+#include "detail/frames.hpp"
 #include "detail/hdf5_formats.hpp"
 
 #include "detail/number_blocks.hpp"
@@ -18,19 +19,27 @@ namespace {
 
 using Json = nlohmann::json;
 
-std::string trajectory(const Hdf5Source& source) {
-    const std::vector<std::string> names = names_in(source, "/");
-    const auto is_number = [](const std::string& name) {
-        return !name.empty() && name.find_first_not_of("0123456789") == std::string::npos;
-    };
-    const auto last = std::find_if(names.rbegin(), names.rend(), is_number);
-    return last == names.rend() ? "" : "/" + *last;
+/// The groups of the trajectories, in their order.
+std::vector<std::string> trajectories(const Hdf5Source& source) {
+    std::vector<std::string> groups;
+    for (const std::string& name : names_in(source, "/"))
+        if (!name.empty() && name.find_first_not_of("0123456789") == std::string::npos)
+            groups.push_back("/" + name);
+    return groups;
 }
 
 bool holds_lagrangebench(const Hdf5Source& source) {
-    const std::string group = trajectory(source);
-    return !group.empty() && exists(source, group + "/position") &&
-           exists(source, group + "/particle_type");
+    const std::vector<std::string> groups = trajectories(source);
+    return !groups.empty() && exists(source, groups.back() + "/position") &&
+           exists(source, groups.back() + "/particle_type");
+}
+
+Dataset open_positions(const Hdf5Source& source, const std::string& group) {
+    Dataset positions = open_dataset(source, group + "/position");
+    const Dimensions& found = positions.dimensions;
+    if (found.size() != 3 || found[0] == 0 || found[2] < 2 || found[2] > 3)
+        fail(source, positions.path, "states x particles x 2 or 3 coordinates", shown(found));
+    return positions;
 }
 
 void read_types(const Hdf5Source& source, const std::string& group, Snapshot& snapshot) {
@@ -76,17 +85,23 @@ void take_metadata(const Hdf5Source& source, Snapshot& snapshot) {
 }
 
 Snapshot lagrangebench_snapshot(const Hdf5Source& source, const ReadChoices& choices) {
-    const std::string group = trajectory(source);
-    const Dataset positions = open_dataset(source, group + "/position");
-    const Dimensions& found = positions.dimensions;
-    if (found.size() != 3 || found[0] == 0 || found[2] < 2 || found[2] > 3)
-        fail(source, positions.path, "states x particles x 2 or 3 coordinates", shown(found));
+    const std::vector<std::string> groups = trajectories(source);
+    std::vector<std::uint64_t> ends; // of each trajectory, counted through
+    for (const std::string& group : groups)
+        ends.push_back((ends.empty() ? 0 : ends.back()) +
+                       open_positions(source, group).dimensions[0]);
+    const std::uint64_t frame = frame_to_read(choices, ends.back());
+    const auto place =
+        static_cast<std::size_t>(std::upper_bound(ends.begin(), ends.end(), frame) - ends.begin());
+    const std::uint64_t state = frame - (place == 0 ? 0 : ends[place - 1]);
+
+    const Dataset positions = open_positions(source, groups[place]);
     Snapshot snapshot;
-    set_positions(snapshot, read_last_row(source, positions), found[2]);
-    read_types(source, group, snapshot);
+    set_positions(snapshot, read_row(source, positions, state), positions.dimensions[2]);
+    read_types(source, groups[place], snapshot);
     take_metadata(source, snapshot);
-    snapshot.notes.push_back("the last of " + std::to_string(found[0]) + " states of trajectory " +
-                             group.substr(1) + " is read");
+    note_frame(snapshot, choices, frame, ends.back(),
+               "state " + std::to_string(state) + " of trajectory " + groups[place].substr(1));
     if (!choices.choose_particles() && !choices.is_boundary) {
         ReadChoices roles;
         roles.walls = {"particle_type=1", "particle_type=2", "particle_type=3"};
@@ -99,7 +114,7 @@ Snapshot lagrangebench_snapshot(const Hdf5Source& source, const ReadChoices& cho
 } // namespace
 
 Hdf5Format lagrangebench_format() {
-    return {"LagrangeBench", holds_lagrangebench, lagrangebench_snapshot};
+    return {"LagrangeBench", holds_lagrangebench, lagrangebench_snapshot, true};
 }
 
 } // namespace meniscus

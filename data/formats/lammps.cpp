@@ -1,7 +1,8 @@
-// LAMMPS's text dumps ("ITEM: TIMESTEP ...") of one state: positions x, y, z, unwrapped (xu, yu,
+// LAMMPS's text dumps ("ITEM: TIMESTEP ..." for each state): positions x, y, z, unwrapped (xu, yu,
 // zu) or in fractions of the box (xs, ys, zs). A box that is periodic ("pp") goes to provenance.
 #include "snapshot_formats.hpp"
 
+#include "detail/frames.hpp"
 #include "detail/number_blocks.hpp"
 #include "detail/word_table.hpp"
 #include <meniscus/data/text/files.hpp>
@@ -81,10 +82,22 @@ bool is_lammps(const fs::path& file) {
     return read_whole(file, first_line.size()) == first_line;
 }
 
-/// Throws InputError, naming the line; memory is bounded by the file's own size.
-Snapshot read_lammps(const fs::path& file, const ReadChoices& /*choices*/) {
-    const std::string bytes = read_whole(file);
-    Lines lines{file, bytes};
+/// The states of a dump, one behind the other.
+std::vector<Lines> states_in(Lines lines) {
+    std::vector<Lines> states;
+    while (!lines.rest.empty()) {
+        const Lines before = lines;
+        if (take_line(lines) == first_line || states.empty()) {
+            if (!states.empty())
+                states.back().rest.remove_suffix(before.rest.size());
+            states.push_back(before);
+        }
+    }
+    return states;
+}
+
+/// The one state of these lines.
+Snapshot read_state(Lines lines) {
     Box box;
     std::optional<std::uint64_t> count;
     std::optional<double> time;
@@ -108,7 +121,8 @@ Snapshot read_lammps(const fs::path& file, const ReadChoices& /*choices*/) {
             auto columns = columns_of(header);
             const auto axes = axes_of(lines, columns);
             take_rows(lines, count.value_or(0), columns);
-            expect_end(lines);
+            if (has_more(lines))
+                fail(lines, "the next ITEM: TIMESTEP, or the end, behind the atoms", "more lines");
             Snapshot snapshot = snapshot_of(lines, std::move(columns), axes);
             if (axes[0] == "xs" || axes[0] == "xsu")
                 unscale(lines, snapshot, box);
@@ -120,13 +134,23 @@ Snapshot read_lammps(const fs::path& file, const ReadChoices& /*choices*/) {
             take_line(lines);
         }
     }
-    fail(lines, "ITEM: ATOMS", "the end of the file; dump it again");
+    fail(lines, "ITEM: ATOMS", "the end of the state; dump it again");
+}
+
+/// Throws InputError, naming the line; memory is bounded by the file's own size.
+Snapshot read_lammps(const fs::path& file, const ReadChoices& choices) {
+    const std::string bytes = read_whole(file);
+    const std::vector<Lines> states = states_in({file, bytes});
+    const std::uint64_t frame = frame_to_read(choices, states.size());
+    Snapshot snapshot = read_state(states[frame]);
+    note_frame(snapshot, choices, frame, states.size());
+    return snapshot;
 }
 
 } // namespace
 
 SnapshotFormat lammps_format() {
-    return {"LAMMPS dump", is_lammps, read_lammps};
+    return {"LAMMPS dump", is_lammps, read_lammps, true};
 }
 
 } // namespace meniscus

@@ -1,5 +1,6 @@
 #include "snapshot_files.hpp"
 
+#include "detail/frames.hpp"
 #include "detail/particle_roles.hpp"
 #include "detail/unknown_files.hpp"
 #include "snapshot_formats.hpp"
@@ -35,6 +36,8 @@ Snapshot read_snapshot(const std::filesystem::path& file, const ReadChoices& cho
     for (const SnapshotFormat& format : snapshot_formats()) {
         if (format.detect(file)) {
             return naming_file(file, [&] {
+                if (!format.holds_frames)
+                    expect_no_frame(choices);
                 Snapshot snapshot = format.read(file, choices);
                 settle(snapshot, choices);
                 return snapshot;

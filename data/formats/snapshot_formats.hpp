@@ -20,6 +20,8 @@ struct SnapshotFormat {
     /// Throws InputError, naming the file and the place in it, on anything that is not well formed.
     /// Memory is bounded by what the file's bytes can hold, whatever they claim.
     Snapshot (*reader)(const std::filesystem::path& file, const ReadChoices& choices);
+    /// Whether a file may hold several states, of which ReadChoices::frame is one.
+    bool holds_frames = false;
 
     /// As the file has it, but for choices that name arrays of particles.
     Snapshot read(const std::filesystem::path& file, const ReadChoices& choices = {}) const {

@@ -1,6 +1,8 @@
 #include "vtkhdf.hpp"
 
+#include "detail/frames.hpp"
 #include "detail/hdf5_formats.hpp"
+#include "detail/number_blocks.hpp"
 #include <meniscus/data/hdf5/deflate.hpp>
 #include <meniscus/data/hdf5/hdf5_signature.hpp>
 #include <meniscus/data/hdf5/isolated_read.hpp>
@@ -8,6 +10,7 @@
 #include <meniscus/data/text/text.hpp>
 
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -18,16 +21,21 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view polydata_type = "PolyData";
 
-/// A series is one state where it has one step.
-void check_steps(const Hdf5Source& source) {
+/// Steps of a series; 1 where the file is none.
+std::uint64_t step_count(const Hdf5Source& source) {
     if (!exists(source, "/VTKHDF/Steps"))
-        return;
+        return 1;
     const auto steps = number_attribute<std::int64_t>(source, "/VTKHDF/Steps", "NSteps", 1);
-    if (steps.size() != 1 || steps[0] != 1) {
-        fail(source, "/VTKHDF/Steps", "one state a file",
-             "a series of " + (steps.size() == 1 ? std::to_string(steps[0]) : "unknown length") +
-                 "; store each state by itself");
-    }
+    if (steps.size() != 1 || steps[0] < 1)
+        fail(source, "/VTKHDF/Steps attribute NSteps", "a positive number",
+             "none that is readable");
+    return static_cast<std::uint64_t>(steps[0]);
+}
+
+/// A series is one state where it has one step.
+void check_is_one_state(const Hdf5Source& source) {
+    if (const std::uint64_t steps = step_count(source); steps != 1)
+        fail(source, "/VTKHDF/Steps", "one state", "a series of " + std::to_string(steps));
 }
 
 /// The time of the one step, where it is stored.
@@ -52,7 +60,6 @@ void check_grid(const Hdf5Source& source) {
         fail(source, "/VTKHDF attribute Version", "two numbers, the first 1 or 2",
              version.size() == 2 ? std::to_string(version[0]) : "none that is readable");
     }
-    check_steps(source);
 }
 
 /// HDF5 cuts fractions off where it is asked for integers.
@@ -100,6 +107,49 @@ void read_points(const Hdf5Source& source, Snapshot& snapshot) {
     const Dataset points = open_points(source, count, snapshot);
     snapshot.positions.resize(count);
     read_into(source, points, number_type<double>(), snapshot.positions.data());
+}
+
+/// One of the whole numbers of a list that a series has, an entry a step or a partition.
+std::uint64_t number_at(const Hdf5Source& source, const std::string& path, std::uint64_t index) {
+    const Dataset dataset = open_dataset(source, path);
+    if (dataset.dimensions.size() != 1 || dataset.dimensions[0] <= index)
+        fail(source, path, "more than " + std::to_string(index) + " numbers",
+             shown(dataset.dimensions));
+    check_is_whole(source, dataset);
+    std::int64_t number = 0;
+    read_into(source, dataset, {index, 1}, number_type<std::int64_t>(), &number);
+    if (number < 0)
+        fail(source, path, "no negative number", std::to_string(number));
+    return static_cast<std::uint64_t>(number);
+}
+
+/// Rows of a dataset of particles, which must have them, and `width` columns where that is not 0.
+Dataset open_rows(const Hdf5Source& source, const std::string& path, const Rows& rows,
+                  std::uint64_t width) {
+    Dataset dataset = open_dataset(source, path);
+    const Dimensions& found = dataset.dimensions;
+    if (found.empty() || found.size() > 2 || found[0] < rows.first ||
+        found[0] - rows.first < rows.count ||
+        (width != 0 && (found.size() != 2 || found[1] != width)))
+        fail(source, path, std::to_string(rows.first + rows.count) + " rows or more", shown(found));
+    return dataset;
+}
+
+/// Where the points of a step lie: those of its partitions, one behind the other.
+Rows points_of_step(const Hdf5Source& source, std::uint64_t step) {
+    const std::string steps = "/VTKHDF/Steps/";
+    const std::uint64_t parts = exists(source, steps + "NumberOfParts")
+                                    ? number_at(source, steps + "NumberOfParts", step)
+                                    : 1;
+    const std::uint64_t first_part = number_at(source, steps + "PartOffsets", step);
+    Rows rows = {number_at(source, steps + "PointOffsets", step), 0};
+    const std::uint64_t max = source.bytes * max_compression;
+    for (std::uint64_t part = 0; part < parts; ++part) {
+        rows.count += number_at(source, "/VTKHDF/NumberOfPoints", first_part + part);
+        if (rows.count > max || rows.first > max)
+            fail(source, "/VTKHDF/NumberOfPoints", "counts that the file can hold", "larger ones");
+    }
+    return rows;
 }
 
 void check_are_vertices(const Hdf5Source& source, const std::string& path,
@@ -237,8 +287,53 @@ bool holds_vtkhdf(const Hdf5Source& source) {
     return exists(source, "/VTKHDF");
 }
 
-Snapshot vtkhdf_snapshot(const Hdf5Source& source, const ReadChoices& /*choices*/) {
+void check_types_of_series(const Hdf5Source& source) {
+    const std::string path = "/VTKHDF/Types";
+    if (!exists(source, path))
+        return;
+    for (const double type : as_doubles({"", 1, read_numbers(source, open_dataset(source, path))}))
+        check_are_vertices(source, path, {static_cast<std::uint8_t>(type)});
+}
+
+/// One step of a series of several. What stands in FieldData may be of any step, and is left out.
+Snapshot snapshot_of_step(const Hdf5Source& source, const ReadChoices& choices) {
+    const std::uint64_t count = step_count(source);
+    const std::uint64_t step = frame_to_read(choices, count);
+    const Rows rows = points_of_step(source, step);
+    check_types_of_series(source);
+    Snapshot snapshot;
+    set_positions(snapshot,
+                  read_numbers(source, open_rows(source, "/VTKHDF/Points", rows, 3), rows), 3);
+    snapshot.dimension = dimension_of(snapshot.positions);
+    for (const std::string& name : array_names_in(source, "/VTKHDF/PointData")) {
+        const std::string offsets = "/VTKHDF/Steps/PointDataOffsets/" + name;
+        const bool has_own =
+            exists(source, "/VTKHDF/Steps/PointDataOffsets") && exists(source, offsets);
+        const Rows own = {has_own ? number_at(source, offsets, step) : rows.first, rows.count};
+        const Dataset dataset = open_rows(source, "/VTKHDF/PointData/" + name, own, 0);
+        snapshot.point_data.push_back(
+            {name, components_of(dataset), read_numbers(source, dataset, own)});
+    }
+    const std::string values = "/VTKHDF/Steps/Values";
+    if (exists(source, values)) {
+        const Rows one = {step, 1};
+        const double time =
+            as_doubles({"", 1, read_numbers(source, open_rows(source, values, one, 0), one)}).at(0);
+        if (std::isfinite(time))
+            snapshot.time = time;
+    }
+    note_frame(snapshot, choices, step, count);
+    return snapshot;
+}
+
+Snapshot vtkhdf_snapshot(const Hdf5Source& source, const ReadChoices& choices) {
     check_grid(source);
+    if (step_count(source) > 1)
+        return snapshot_of_step(source, choices);
+    if (exists(source, "/VTKHDF/Steps"))
+        frame_to_read(choices, 1);
+    else
+        expect_no_frame(choices);
     Snapshot snapshot;
     read_points(source, snapshot);
     check_cells(source);
@@ -248,13 +343,17 @@ Snapshot vtkhdf_snapshot(const Hdf5Source& source, const ReadChoices& /*choices*
     return snapshot;
 }
 
+/// One that we have written.
 Snapshot read(const OpenedFile& file) {
-    return vtkhdf_snapshot(open_source(file), {});
+    const Hdf5Source source = open_source(file);
+    check_is_one_state(source);
+    return vtkhdf_snapshot(source, {});
 }
 
 Snapshot read_header(const OpenedFile& file) {
     const Hdf5Source source = open_source(file);
     check_grid(source);
+    check_is_one_state(source);
     Snapshot snapshot;
     for (const std::string& name : array_names_in(source, "/VTKHDF/PointData"))
         snapshot.point_data.push_back({name, 1, {}});
@@ -266,6 +365,7 @@ Snapshot read_header(const OpenedFile& file) {
 Snapshot read_outline(const OpenedFile& file) {
     const Hdf5Source source = open_source(file);
     check_grid(source);
+    check_is_one_state(source);
     check_cells(source);
     Snapshot snapshot;
     snapshot.particles_in_file = read_count(source, "/VTKHDF/NumberOfPoints");
@@ -320,7 +420,7 @@ Snapshot look_into(const OpenedFile& file) {
 } // namespace
 
 Hdf5Format vtkhdf_format() {
-    return {"VTKHDF", holds_vtkhdf, vtkhdf_snapshot};
+    return {"VTKHDF", holds_vtkhdf, vtkhdf_snapshot, true};
 }
 
 bool is_vtkhdf(const fs::path& file) {

@@ -1,7 +1,9 @@
 // Extended XYZ, as OVITO and ASE write it: the number of particles, a line of properties, and a
-// line a particle. Without properties the columns are a species and x, y, z.
+// line a particle; another state may follow. Without properties the columns are a species and x, y,
+// z.
 #include "snapshot_formats.hpp"
 
+#include "detail/frames.hpp"
 #include "detail/number_blocks.hpp"
 #include "detail/word_table.hpp"
 #include <meniscus/data/text/files.hpp>
@@ -77,24 +79,39 @@ bool is_xyz(const fs::path& file) {
     return take_word(third).empty();
 }
 
+/// Where each state begins, of which the last may be cut.
+std::vector<Lines> states_in(Lines lines) {
+    std::vector<Lines> states;
+    do {
+        states.push_back(lines);
+        std::uint64_t left = take_count(lines, "particles") + 1; // and the line of properties
+        for (; left > 0 && !lines.rest.empty(); --left)
+            take_line(lines);
+    } while (has_more(lines));
+    return states;
+}
+
 /// Throws InputError, naming the line; memory is bounded by the file's own size.
-Snapshot read_xyz(const fs::path& file, const ReadChoices& /*choices*/) {
+Snapshot read_xyz(const fs::path& file, const ReadChoices& choices) {
     const std::string bytes = read_whole(file);
-    Lines lines{file, bytes};
+    const std::vector<Lines> states = states_in({file, bytes});
+    const std::uint64_t frame = frame_to_read(choices, states.size());
+    Lines lines = states[frame];
     const std::uint64_t count = take_count(lines, "particles");
     const std::string_view properties = value_of(take_line(lines), "Properties=");
     auto columns = columns_of(lines, properties.empty() ? "species:S:1:pos:R:3" : properties);
     if (find_column(columns, "x") == nullptr || find_column(columns, "y") == nullptr)
         fail(lines, "a property pos of 2 or 3 columns", quoted_text(properties));
     take_rows(lines, count, columns);
-    expect_end(lines);
-    return snapshot_of(lines, std::move(columns), {"x", "y", "z"});
+    Snapshot snapshot = snapshot_of(lines, std::move(columns), {"x", "y", "z"});
+    note_frame(snapshot, choices, frame, states.size());
+    return snapshot;
 }
 
 } // namespace
 
 SnapshotFormat xyz_format() {
-    return {"extended XYZ", is_xyz, read_xyz};
+    return {"extended XYZ", is_xyz, read_xyz, true};
 }
 
 } // namespace meniscus

@@ -9,4 +9,8 @@ namespace meniscus {
 /// own. Throws InputError where the file is missing, empty or no regular file.
 bool is_hdf5(const std::filesystem::path& file);
 
+/// True where a file that begins as those that we write is as long as it says there; false for HDF5
+/// files of other versions, too. Throws as is_hdf5 does.
+bool is_own_hdf5_of_full_length(const std::filesystem::path& file);
+
 } // namespace meniscus

@@ -322,10 +322,10 @@ ArrayValues read_numbers(const Hdf5Source& source, const Dataset& dataset) {
     return read;
 }
 
-ArrayValues read_last_row(const Hdf5Source& source, const Dataset& dataset) {
+ArrayValues read_row(const Hdf5Source& source, const Dataset& dataset, std::uint64_t index) {
     Dimensions begin(dataset.dimensions.size(), 0);
     Dimensions count = dataset.dimensions;
-    begin[0] = dataset.dimensions[0] - 1;
+    begin[0] = index;
     count[0] = 1;
     const Handle space(H5Dget_space(dataset.id), H5Sclose);
     const Handle row(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr),

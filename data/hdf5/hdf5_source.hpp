@@ -81,8 +81,8 @@ ArrayValues read_numbers(const Hdf5Source& source, const Dataset& dataset, const
 /// All values in their stored type.
 ArrayValues read_numbers(const Hdf5Source& source, const Dataset& dataset);
 
-/// The values at the last index of the first dimension, of which there must be one.
-ArrayValues read_last_row(const Hdf5Source& source, const Dataset& dataset);
+/// The values at one index of the first dimension, which the dataset must have.
+ArrayValues read_row(const Hdf5Source& source, const Dataset& dataset, std::uint64_t index);
 
 /// The one text of a dataset; empty where it is no text.
 std::string text_dataset(const Hdf5Source& source, const std::string& path);

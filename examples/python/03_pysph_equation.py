@@ -1,15 +1,18 @@
 #!/usr/bin/env python3
-"""Surface tension as an equation of PySPH: its elliptical drop, pulled together.
+"""Surface tension as an equation of PySPH: a square drop becomes a round one, under Laplace's pressure.
 
 `SurfaceTensionForce` goes into any list of equations; the array that it acts on needs the properties
 `st_x`, `st_y` and `st_z`. Neighbors are found anew, as PySPH keeps its own to itself.
 
-Usage: 03_pysph_equation.py [OPTIONS OF PYSPH]
+Usage: 03_pysph_equation.py [OPTIONS OF PYSPH]    (--tf 6 ends after 6 s)
 """
 import meniscus
 import numpy as np
-from pysph.examples.elliptical_drop import EllipticalDrop
+from pysph.base.kernels import CubicSpline
+from pysph.base.utils import get_particle_array
+from pysph.solver.application import Application
 from pysph.sph.equation import Equation, Group
+from pysph.sph.scheme import WCSPHScheme
 
 
 class SurfaceTensionForce(Equation):
@@ -44,23 +47,48 @@ class SurfaceTensionForce(Equation):
         d_aw[d_idx] += d_st_z[d_idx]
 
 
-class PulledDrop(EllipticalDrop):
+class SquareDrop(Application):
+    """A square of 1 m with the tension of 1 N/m and a density of 1 kg/m^2, slowed down by viscosity."""
+    sigma, density, sound, spacing = 1.0, 1.0, 20.0, 0.05
+
     def create_particles(self):
-        arrays = super().create_particles()
+        places = np.arange(-0.5 + self.spacing / 2, 0.5, self.spacing)
+        x, y = (part.ravel() for part in np.meshgrid(places, places))
+        drop = get_particle_array(name="fluid", x=x, y=y, m=self.density * self.spacing**2,
+                                  rho=self.density, h=1.3 * self.spacing)
+        self.scheme.setup_properties([drop])
         for name in ("st_x", "st_y", "st_z"):
-            arrays[0].add_property(name)
-        return arrays
+            drop.add_property(name)
+        return [drop]
+
+    def create_scheme(self):
+        scheme = WCSPHScheme(["fluid"], [], dim=2, rho0=self.density, c0=self.sound,
+                             h0=1.3 * self.spacing, hdx=1.3, gamma=7.0, alpha=0.5, beta=0.0)
+        scheme.configure_solver(kernel=CubicSpline(dim=2), dt=0.2 * self.spacing / self.sound, tf=6.0,
+                                adaptive_timestep=False, pfreq=10**9)
+        return scheme
 
     def create_equations(self):
-        equations = super().create_equations()
-        force = SurfaceTensionForce("fluid", ["fluid"], sigma=1000.0, rest_density=self.ro,
-                                    dimension=2)
-        return [*equations, Group(equations=[force])]
+        force = SurfaceTensionForce("fluid", ["fluid"], self.sigma, self.density, dimension=2)
+        return [*self.scheme.get_equations(), Group(equations=[force])]
+
+
+def rim_radii(drop, sectors=36):
+    """Distance of the outermost particle from the center of mass, in sectors of equal angle."""
+    x, y = drop.x - drop.x.mean(), drop.y - drop.y.mean()
+    sector = ((np.arctan2(y, x) / (2 * np.pi) + 0.5) * sectors).astype(int) % sectors
+    radius = np.hypot(x, y)
+    return np.array([radius[sector == one].max() for one in range(sectors)]), radius
 
 
 if __name__ == "__main__":
-    app = PulledDrop()
+    app = SquareDrop()
     app.run()
     drop = app.particles[0]
+    rim, radius = rim_radii(drop)
+    laplace = app.sigma / np.sqrt(drop.m.sum() / app.density / np.pi) # of a disc of the same area
+    inside = drop.p[radius < 0.5 * rim.mean()].mean()
     print(f"{drop.get_number_of_particles()} particles, net force "
-          f"{abs((drop.m * drop.st_x).sum()) / abs(drop.m * drop.st_x).sum():.1e} of all forces")
+          f"{abs((drop.m * drop.st_x).sum()) / abs(drop.m * drop.st_x).sum():.1e} of all forces, "
+          f"rim {rim.min() / rim.mean():.3f} to {rim.max() / rim.mean():.3f} of its mean radius, "
+          f"pressure {inside / laplace:.3f} of Laplace's")

@@ -55,7 +55,7 @@ const Case right[] = {
     {"c03_periodic.hdf5", {"--periodic", "x=0:0.8"}, 256, 32, "copies cover"},
     {"c03_periodic_ghosts.hdf5", {}, 256, 0, "228 ghosts"},
     {"c07_gadget.hdf5", h_some, 343, -1, "units of the file"},
-    {"c07_h5part.h5", h_some, 343, -1, "last of 2 steps"},
+    {"c07_h5part.h5", h_some, 343, -1, "last of 2 states"},
     {"c08_one_step.vtkhdf", h_some, 343, -1, ""},
     {"c08_polydata.vtkhdf", h_some, 343, -1, ""},
     {"d01_particle_primitive.bgeo", h_some, 343, -1, ""},

@@ -31,6 +31,31 @@ TEST_F(Label, GenericNamesAreThoseOfTheirFolders) {
     EXPECT_EQ(read_vtkhdf(folder / "out" / "Dam_12.vtkhdf").scene, "Dam");
 }
 
+TEST_F(Label, AChosenFrameIsLabelledUnderItsNumber) {
+    const auto state = [](const std::string& x) {
+        return "2\nProperties=pos:R:3\n" + x + " 0 0\n" + x + " 0 0.5\n";
+    };
+    const Path file = write("run.xyz", state("1") + state("2") + state("3"));
+    const Words words = {"label", file, "-o", folder / "out", "--support-radius", "1"};
+    const auto succeed = [&](const Words& label) { // which warns of so few neighbors
+        const Outcome outcome = run(program + label);
+        EXPECT_EQ(outcome.status, 0) << outcome.errors;
+        return outcome.output;
+    };
+    expect_mentions(succeed(words + Words{"--frame", "1"}), {"run_1.vtkhdf", "state 1 of 0 to 2"});
+    expect_mentions(succeed(words), {"run.vtkhdf", "last of 3 states"});
+    const Snapshot chosen = read_vtkhdf(folder / "out/run_1.vtkhdf");
+    EXPECT_EQ(chosen.positions[0][0], 2);
+    EXPECT_EQ(chosen.scene, "run");
+    EXPECT_EQ(chosen.provenance.at("frame"), "1");
+    EXPECT_EQ(read_vtkhdf(folder / "out/run.vtkhdf").positions[0][0], 3);
+    expect_mentions(succeed(words + Words{"--frame", "1"}), {"up to date"});
+    fail(2, words + Words{"--frame", "3"}, {"run.xyz: --frame 3", "0 to 2"});
+    fail(2, words + Words{"--frame", "-1"}, {"--frame"});
+    fail(2, {"label", sample("cube_iisph_05"), "-o", folder / "out", "--frame", "0"},
+         {"cube_iisph_05.vtkhdf: --frame 0", "one"});
+}
+
 TEST_F(Label, ACheckpointIsNoFrame) {
     Snapshot checkpoint = block(4);
     checkpoint.provenance = {{"run", "{}"}, {"log", ""}};
@@ -85,6 +110,15 @@ TEST_F(Label, RerunLeavesFilesAlone) {
     EXPECT_EQ(printed, output.string() + ": up to date\n");
     EXPECT_EQ(bytes_of(output), bytes);
     EXPECT_EQ(std::filesystem::last_write_time(output), time);
+}
+
+TEST_F(Label, ACutOutputIsNotUpToDate) {
+    const Path input = save(block(5), "block.vtkhdf");
+    const Path output = label(input);
+    const std::string bytes = bytes_of(output);
+    const Words again = {"label", input, "-o", folder / "labelled", "--samples", "500"};
+    std::filesystem::resize_file(output, bytes.size() - 1);
+    fail(2, again, {"labelled/block.vtkhdf", "no snapshot"});
 }
 
 TEST_F(Label, ChangedOptionsAreLabelledAgain) {

@@ -127,6 +127,31 @@ TEST_F(Report, FlatStatesAndWallsAreInIt) {
     EXPECT_EQ(unpacked<std::uint16_t>(state["arrays"]["boundary"], 45).size(), 45U);
 }
 
+TEST_F(Report, OfClassifyHoldsWhatAnAuditOfItsLabelsFinds) {
+    const Path input = sample("droplet_iisph_04");
+    for (const char* name : {"splishsplash_d12", "surface_3d"}) {
+        succeed({"classify", input, "-o", folder / name, "--model", shipped(name), "--report",
+                 page_file, "--quiet"});
+        const Json data = report_data(bytes_of(page_file));
+        const Path labels = folder / (std::string(name) + "_labels");
+        succeed({"label", folder / name / input.filename(), "-o", labels, "--quiet"});
+        Json audit =
+            Json::parse(succeed({"audit", "--format", "json", labels, "--model", shipped(name)}));
+        for (const char* key : {"particles", "surface", "bands", "false_negatives",
+                                "false_positives", "false_positives_float", "missed_area"})
+            EXPECT_EQ(data["audit"]["total"][key], audit["total"][key]) << name << " " << key;
+        EXPECT_EQ(data["model_file"], name);
+        const Counted counted = count(data["planes"], data["states"][0]);
+        EXPECT_EQ(counted.missed, audit["total"]["false_negatives"]) << name;
+        EXPECT_EQ(counted.passed, audit["total"]["false_positives"]) << name;
+    }
+    const std::string page = bytes_of(page_file); // of outputs that are up to date, too
+    succeed({"classify", input, "-o", folder / "surface_3d", "--model", shipped("surface_3d"),
+             "--report", page_file, "--quiet", "--threads", "1"});
+    EXPECT_EQ(bytes_of(page_file), page);
+    fail(2, {"classify", input, "-o", folder / "out", "--report", input}, {"overwrite"});
+}
+
 TEST_F(Report, SameBytesWhateverTheThreads) {
     const Words words = {label(sample("droplet_iisph_04")), "--model", shipped("surface_3d")};
     const std::string once = page(words + Words{"--threads", "1"});

@@ -48,6 +48,32 @@ TEST_F(Train, EveryObjectivePassesItsOwnAuditWhateverTheThreads) {
     }
 }
 
+TEST_F(Train, ReadsFilesInParallelWithTheSameModel) {
+    std::filesystem::create_directory(folder / "in");
+    for (int i = 0; i < 9; ++i) {
+        Snapshot snapshot = block(5);
+        snapshot.positions[62][0] += 0.02 * i;
+        write_vtkhdf(snapshot, folder / "in" / ("block_" + std::to_string(i) + ".vtkhdf"));
+    }
+    succeed({"label", folder / "in", "-o", folder / "out", "--samples", "200", "--quiet"});
+    const Path model = folder / "model.json";
+    Words models;
+    for (const char* threads : {"1", "2", "4"}) {
+        succeed({"train", folder / "out", "-o", model, "--quiet", "--threads", threads});
+        models.push_back(bytes_of(model));
+    }
+    EXPECT_EQ(models[0], models[1]);
+    EXPECT_EQ(models[0], models[2]);
+    ASSERT_EQ(read_model(model).training_files.size(), 9U);
+    EXPECT_EQ(read_model(model).training_files[7].name, "block_7.vtkhdf");
+
+    for (const char* cut : {"out/block_3.vtkhdf", "out/block_6.vtkhdf"})
+        std::filesystem::resize_file(folder / cut, 3000);
+    for (const char* threads : {"1", "4"})
+        fail(2, {"train", folder / "out", "-o", model, "--quiet", "--threads", threads},
+             {"block_3.vtkhdf"});
+}
+
 TEST_F(Train, KeepsTheSlopeOfAnotherModel) {
     const Path block_file = label(save(block(8), "block.vtkhdf"));
     const Path droplet = label(sample("droplet_iisph_14"));

@@ -79,6 +79,23 @@ TEST_F(DeepLagrangianFluids, TheLastStateAndTheWallsOfTheFirstAreRead) {
     expect_mentions(snapshot.notes[1], {"last of 2"});
 }
 
+TEST_F(DeepLagrangianFluids, AnyStateCanBeRead) {
+    const auto file = write(name, compressed(list_of(2) + first_state + last_state));
+    ReadChoices choices;
+    choices.frame = 0;
+    Snapshot snapshot = read_snapshot(file, choices);
+    EXPECT_EQ(snapshot.positions, (Positions{{9, 9, 9}, {9, 9, 8}}));
+    EXPECT_EQ(snapshot.boundary, (Positions{{7, 7, 7}}));
+    EXPECT_EQ(snapshot.provenance["frame"], "0");
+    choices.frame = 1;
+    snapshot = read_snapshot(file, choices);
+    EXPECT_EQ(snapshot.positions, (Positions{{1, 2, 3}, {4, 5, 6}}));
+    EXPECT_EQ(snapshot.boundary, (Positions{{7, 7, 7}}));
+    choices.frame = 2;
+    expect_mentions(error_of<InputError>([&] { read_snapshot(file, choices); }),
+                    {name, "--frame 2", "0 to 1"});
+}
+
 TEST_F(DeepLagrangianFluids, WhatIsNoRecordIsRefused) {
     expect_mentions(error_for("text"), {"list of states"});
     expect_mentions(error_for(list_of(1) + text("text")), {"map for each state"});

@@ -93,7 +93,14 @@ TEST_F(OtherHdf5, TheLastStepOfH5PartIsRead) {
     EXPECT_EQ(snapshot.positions, (Positions{{7, 3, 5}, {2, 4, 6}}));
     EXPECT_NE(find_array(snapshot, "velocity"), nullptr);
     ASSERT_EQ(snapshot.notes.size(), 1U);
-    expect_mentions(snapshot.notes[0], {"last of 2", "Step#10"});
+    expect_mentions(snapshot.notes[0], {"last of 2 states", "Step#10"});
+    ReadChoices first;
+    first.frame = 0;
+    EXPECT_EQ(read_snapshot(file, first).positions, (Positions{{6, 3, 5}, {2, 4, 6}}));
+    expect_mentions(read_snapshot(file, first).notes.at(0), {"state 0 of 0 to 1", "Step#9"});
+    first.frame = 2;
+    expect_mentions(error_of<InputError>([&] { read_snapshot(file, first); }),
+                    {"other.hdf5", "--frame 2", "0 to 1", "2 states"});
     remove("/Step#10/y");
     expect_mentions(reading_error(), {"/Step#10/y"});
 }
@@ -111,12 +118,27 @@ TEST_F(OtherHdf5, TheLastStateOfLagrangeBenchIsRead) {
     EXPECT_EQ(snapshot.dimension, 2);
     ASSERT_EQ(snapshot.notes.size(), 3U);
     expect_mentions(snapshot.notes[0], {"metadata.json"});
-    expect_mentions(snapshot.notes[1], {"last of 2 states", "00001"});
+    expect_mentions(snapshot.notes[1], {"last of 3 states", "state 1 of trajectory 00001"});
     expect_mentions(snapshot.notes[2], {"1 particles are fluid, 2 walls, 1 ignored"});
 
     ReadChoices choices;
     choices.fluid = {"particle_type=3"};
     EXPECT_EQ(read_snapshot(file, choices).positions, (Positions{{5, 6, 0}}));
+
+    const Positions expected[] = {{{7, 7, 0}}, {{9, 9, 0}}, {{1, 2, 0}}};
+    for (std::uint64_t frame = 0; frame < 3; ++frame) {
+        ReadChoices one;
+        one.frame = frame;
+        snapshot = read_snapshot(file, one);
+        EXPECT_EQ(snapshot.positions, expected[frame]);
+        EXPECT_EQ(snapshot.provenance["frame"], std::to_string(frame));
+        expect_mentions(snapshot.notes[1], {"of 0 to 2", frame == 0 ? "state 0 of trajectory 00000"
+                                                                    : "of trajectory 00001"});
+    }
+    ReadChoices fourth;
+    fourth.frame = 3;
+    expect_mentions(error_of<InputError>([&] { read_snapshot(file, fourth); }),
+                    {"other.hdf5", "--frame 3", "0 to 2", "3 states"});
 
     std::ofstream(folder / "metadata.json")
         << R"({"dx": 0.5, "bounds": [[0, 8], [1, 9]], "periodic_boundary_conditions": [true, false]})";
@@ -155,9 +177,64 @@ TEST_F(OtherHdf5, PolyDataAndSeriesOfOneStepAreVtkhdf) {
     expect_mentions(reading_error(), {"Polygons", "mesh"});
     replace<double>("/VTKHDF/Polygons/NumberOfCells", H5T_NATIVE_DOUBLE, {1}, {0.0});
     edit([&](hid_t opened) { H5Adelete_by_name(opened, "/VTKHDF/Steps", "NSteps", H5P_DEFAULT); });
-    steps = 2;
+    steps = 0;
     add_attribute("VTKHDF/Steps", "NSteps", H5T_NATIVE_INT64, &steps);
-    expect_mentions(reading_error(), {"series of 2"});
+    expect_mentions(reading_error(), {"NSteps", "positive"});
+}
+
+TEST_F(OtherHdf5, AnyStepOfAVtkhdfSeriesIsRead) {
+    add_group("VTKHDF");
+    const hid_t type = H5Tcopy(H5T_C_S1);
+    H5Tset_size(type, 16);
+    add_attribute("VTKHDF", "Type", type, "UnstructuredGrid");
+    H5Tclose(type);
+    const std::int64_t version[] = {2, 2};
+    add_attribute("VTKHDF", "Version", H5T_NATIVE_INT64, version, 2);
+    // Step 0 has two particles in two partitions, step 1 one; w is the same array for both.
+    add("VTKHDF/NumberOfPoints", {3}, {1, 1, 1});
+    add("VTKHDF/Points", {3, 3}, coordinates);
+    add("VTKHDF/Types", {3}, {1, 1, 1});
+    add_group("VTKHDF/PointData");
+    add("VTKHDF/PointData/v", {3}, {7, 8, 9});
+    add("VTKHDF/PointData/w", {2}, {5, 6});
+    add_group("VTKHDF/Steps");
+    const std::int64_t steps = 2;
+    add_attribute("VTKHDF/Steps", "NSteps", H5T_NATIVE_INT64, &steps);
+    add("VTKHDF/Steps/Values", {2}, {0.25, 0.5});
+    add("VTKHDF/Steps/NumberOfParts", {2}, {2, 1});
+    add("VTKHDF/Steps/PartOffsets", {2}, {0, 2});
+    add("VTKHDF/Steps/PointOffsets", {2}, {0, 2});
+    add_group("VTKHDF/Steps/PointDataOffsets");
+    add("VTKHDF/Steps/PointDataOffsets/w", {2}, {0, 0});
+    const auto read = [&](std::uint64_t frame) {
+        ReadChoices choices;
+        choices.frame = frame;
+        return read_snapshot(file, choices);
+    };
+    const Snapshot last = read_snapshot(file);
+    EXPECT_EQ(last.positions, (Positions{{4, 5, 6}}));
+    EXPECT_EQ(last.time, 0.5);
+    EXPECT_EQ(scalar_values(last, "v"), (std::vector<double>{9}));
+    EXPECT_EQ(scalar_values(last, "w"), (std::vector<double>{5}));
+    expect_mentions(last.notes.at(0), {"last of 2 states"});
+    const Snapshot first = read(0);
+    EXPECT_EQ(first.positions, (Positions{{0, 0, 1}, {2, 0, 3}}));
+    EXPECT_EQ(first.time, 0.25);
+    EXPECT_EQ(scalar_values(first, "v"), (std::vector<double>{7, 8}));
+    EXPECT_EQ(scalar_values(first, "w"), (std::vector<double>{5, 6}));
+    EXPECT_EQ(first.provenance.at("frame"), "0");
+    expect_mentions(error_of<InputError>([&] { read(2); }), {"--frame 2", "0 to 1"});
+
+    replace<double>("/VTKHDF/Steps/PointOffsets", H5T_NATIVE_DOUBLE, {2}, {0, 3});
+    expect_mentions(reading_error(), {"/VTKHDF/Points", "4 rows"});
+    replace<double>("/VTKHDF/Steps/PartOffsets", H5T_NATIVE_DOUBLE, {2}, {0, 3});
+    expect_mentions(reading_error(), {"NumberOfPoints", "more than 3"});
+    remove("/VTKHDF/Steps/PartOffsets");
+    expect_mentions(reading_error(), {"PartOffsets"});
+    replace<double>("/VTKHDF/Types", H5T_NATIVE_DOUBLE, {3}, {1, 1, 10});
+    replace<double>("/VTKHDF/Steps/PartOffsets", H5T_NATIVE_DOUBLE, {2}, {0, 2});
+    replace<double>("/VTKHDF/Steps/PointOffsets", H5T_NATIVE_DOUBLE, {2}, {0, 2});
+    expect_mentions(reading_error(), {"cell type 10", "mesh"});
 }
 
 } // namespace

@@ -114,7 +114,6 @@ TEST_F(Tables, ExtendedXyz) {
     EXPECT_EQ(scalar_values(snapshot, "id"), (std::vector<double>{7, 8}));
     EXPECT_EQ(read("2\nplain\nH 1 2.5 -3\nO 4 5 6\n").positions, expected);
     expect_mentions(error("2\nplain\nH 1 2 3\n"), {"state: line", "words"});
-    expect_mentions(error("1\nplain\nH 1 2 3\n1\nplain\nH 1 2 3\n"), {"series"});
     expect_mentions(error("2\nplain\nH 1 2 3\nO 4 5 x\n"), {"line 4", "'z'", "'x'"});
 }
 

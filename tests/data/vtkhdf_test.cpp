@@ -332,7 +332,7 @@ TEST_F(Vtkhdf, WrongFieldsAreNamed) {
 TEST_F(Vtkhdf, MeshesAndSeriesAreNoSnapshots) {
     write_vtkhdf(sample(3), file);
     replace<int>("/VTKHDF/Steps", H5T_NATIVE_INT, {1}, {2});
-    expect_mentions(reading_error(), {"/VTKHDF/Steps", "series"});
+    expect_mentions(reading_error(), {"/VTKHDF/Steps", "NSteps"});
     remove("/VTKHDF/Steps");
     replace<std::uint8_t>("/VTKHDF/Types", H5T_NATIVE_UINT8, {3}, {1, 1, 10});
     expect_mentions(reading_error(), {"/VTKHDF/Types", "cell type 10", "mesh"});

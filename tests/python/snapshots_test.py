@@ -51,6 +51,19 @@ class Snapshots(CommandTest):
         read = meniscus.read(SAMPLES / "droplet_iisph_01.vtkhdf", support_radius=0.5, scene="mine")
         self.assertEqual((read.support_radius, read.scene), (0.5, "mine"))
 
+    def test_states_of_a_trajectory(self):
+        file = self.folder / "run.xyz"
+        file.write_text("".join(f"1\nProperties=pos:R:3\n{x} 2 3\n" for x in range(3)))
+        self.assertEqual(meniscus.read(file).positions[0, 0], 2)
+        for frame in range(3):
+            state = meniscus.read(file, frame=frame)
+            self.assertEqual(state.positions[0, 0], frame)
+            self.assertEqual(state.provenance["frame"], str(frame))
+        with self.assertRaisesRegex(meniscus.InputError, "--frame 3: expected one of 0 to 2"):
+            meniscus.read(file, frame=3)
+        with self.assertRaisesRegex(meniscus.InputError, "frame must not be negative, found -1"):
+            meniscus.read(file, frame=-1)
+
     def test_arrays_outlive_their_snapshot(self):
         positions = meniscus.read(SAMPLES / "droplet_iisph_01.vtkhdf").positions
         kept = positions.copy()

@@ -103,13 +103,15 @@ def check_positive(name: str, value: Optional[float]) -> None:
 
 def read(path: PathLike, *, support_radius: Optional[float] = None,
          particle_spacing: Optional[float] = None, particle_volume: Optional[float] = None,
-         dimension: Optional[int] = None, scene: Optional[str] = None) -> Snapshot:
+         dimension: Optional[int] = None, scene: Optional[str] = None,
+         frame: Optional[int] = None) -> Snapshot:
     """Reads a snapshot of any format, told by its content: the project's own .vtkhdf, legacy .vtk,
     .bgeo, PySPH's .hdf5, CSV with named columns. Positions are (N, 3) in the file's number type.
 
     The options stand in for what the file does not store, or in place of what it does: lengths in
-    m, volume in m^3 (in 2D m^2). Raises InputError where the file is missing, damaged or of no
-    known format, or an option is not positive.
+    m, volume in m^3 (in 2D m^2). `frame` is the state to read of a file that holds several, from
+    0; without, the last is. Raises InputError where the file is missing, damaged or of no known
+    format, has no such state, or an option is not positive.
 
     >>> read("nowhere.vtk")
     Traceback (most recent call last):
@@ -121,7 +123,7 @@ def read(path: PathLike, *, support_radius: Optional[float] = None,
     for name, value in given.items():
         check_positive(name, value)
     given.update(dimension=dimension, scene=scene)
-    snapshot = Snapshot(**_meniscus.read(path))
+    snapshot = Snapshot(**_meniscus.read(path, frame))
     if support_radius is not None:
         snapshot.provenance.pop("support_radius_from", None)
     return replace(snapshot, **{name: value for name, value in given.items() if value is not None})

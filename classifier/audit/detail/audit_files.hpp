@@ -20,7 +20,7 @@ using Judge = std::function<AuditRow(const Snapshot& snapshot, const LabelledSta
 
 /// Reads a file and judges it; `scene` replaces its own where it is not empty. Throws InputError
 /// where the file cannot be read or was not labelled.
-AuditedFile judged_file(const std::filesystem::path& file, const std::string& scene,
+AuditedFile judged_file(const std::filesystem::path& file, const AuditOptions& options,
                         const Judge& judge);
 
 /// The report on files in their order, but for what was judged.

@@ -11,6 +11,7 @@ struct Hdf5Format {
     const char* name; ///< as messages give it
     bool (*holds)(const Hdf5Source& source);
     Snapshot (*read)(const Hdf5Source& source, const ReadChoices& choices);
+    bool holds_frames = false; ///< as in SnapshotFormat
 };
 
 Hdf5Format vtkhdf_format();

@@ -75,11 +75,9 @@ void take_rows(Lines& lines, std::uint64_t rows, std::vector<WordColumn>& column
     }
 }
 
-void expect_end(const Lines& lines) {
+bool has_more(const Lines& lines) {
     std::string_view rest = lines.rest;
-    if (!take_word(rest).empty())
-        fail(lines, "the end of the file behind the particles",
-             "more, as of a series; store each state by itself");
+    return !take_word(rest).empty();
 }
 
 const WordColumn* find_column(const std::vector<WordColumn>& columns, std::string_view name) {

@@ -38,8 +38,8 @@ std::uint64_t take_count(Lines& lines, const std::string& of);
 /// is no number in a column of numbers.
 void take_rows(Lines& lines, std::uint64_t rows, std::vector<WordColumn>& columns);
 
-/// Fails where anything follows: one state a file.
-void expect_end(const Lines& lines);
+/// Whether anything but space follows.
+bool has_more(const Lines& lines);
 
 /// The column of that name, or nullptr.
 const WordColumn* find_column(const std::vector<WordColumn>& columns, std::string_view name);
