@@ -277,7 +277,7 @@ std::string read_whole(const fs::path& file, std::size_t max) {
 std::string file_hash(const fs::path& file) {
     const Descriptor opened = open_regular_file(file);
     Sha256 sum;
-    std::vector<char> block(std::min<std::uint64_t>(size_of(opened) + 1, 1 << 20));
+    std::vector<char> block(std::min<std::uint64_t>(size_of(opened, file) + 1, 1 << 20));
     for (std::size_t count = block.size(); count == block.size();) {
         count = read_some(opened, block.data(), block.size(), file);
         sum.add(block.data(), count);
