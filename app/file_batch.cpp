@@ -53,9 +53,9 @@ public:
             std::rethrow_exception(ending);
         print_summary();
         if (failed > 0)
-            throw InputError(fmt::format("{} of {} files could not be {}, the first one {}; the "
-                                         "others were",
-                                         failed, files.size(), batch.done, first_failed));
+            throw InputError(fmt::format("{} of {} files could not be {}, the first one {}{}",
+                                         failed, files.size(), batch.done, first_failed,
+                                         failed < files.size() ? "; the others were" : ""));
     }
 
     [[nodiscard]] bool should_stop() const { return stop; }

@@ -29,9 +29,8 @@ Tables detector_thresholds(const TableInput& input) {
         const AuditReport report = audit_detector(kind.name, std::nullopt, input.files, options);
         const AuditRow& all = report.total;
         const auto threshold = threshold_that_misses_none(kind, all);
-        Cell then;
-        if (threshold)
-            then = percent_of(false_positives_at(kind, all, *threshold), all);
+        const Cell then =
+            threshold ? Cell(percent_of(false_positives_at(kind, all, *threshold), all)) : Cell();
         table.add({kind.name, report.detector->threshold, all.surface_particles,
                    all.false_negatives, 100 * missed_area_fraction(all),
                    percent_of(all.false_positives, all), threshold, then});

@@ -10,15 +10,15 @@
 namespace meniscus {
 namespace {
 
-struct Shape {
+struct NumberShape {
     std::size_t decimals = 0;
     std::size_t digits = 0; ///< significant ones
     bool has_point = false;
     bool has_exponent = false;
 };
 
-Shape shape_of(std::string_view number) {
-    Shape shape;
+NumberShape shape_of(std::string_view number) {
+    NumberShape shape;
     for (const char c : number) {
         if (c == '.') {
             shape.has_point = true;
@@ -44,14 +44,14 @@ bool follows(std::string_view last, std::string_view before) {
 bool may_be_cut(std::string_view last, const std::vector<std::string_view>& before) {
     if (before.size() < 2)
         return true;
-    const Shape shape = shape_of(last);
+    const NumberShape shape = shape_of(last);
     if (!shape.has_point && !shape.has_exponent)
         return !follows(last, before.back());
-    Shape longest;
+    NumberShape longest;
     longest.decimals = shape_of(before.back()).decimals;
     bool same_decimals = true;
     for (const std::string_view number : before) {
-        const Shape other = shape_of(number);
+        const NumberShape other = shape_of(number);
         longest.digits = std::max(longest.digits, other.digits);
         longest.has_exponent = longest.has_exponent || other.has_exponent;
         same_decimals = same_decimals && other.decimals == longest.decimals;
