@@ -30,8 +30,13 @@ public:
             // eq. 8; on a lattice sum_j grad W vanishes
             const auto gradients =
                 static_cast<Real>(lattice_gradients<Real, Dimension>(kernel, fluid.spacing));
-            const Real step =
-                relaxation_share * relaxation / (2 * dt * dt * fluid.mass * fluid.mass * gradients);
+            const Real rest = fluid.mass * fluid.mass * gradients;
+            const Real step = relaxation_share * relaxation / (2 * dt * dt * rest);
+            // Beside walls, whose density grows faster, a particle's own share is larger.
+            share.resize(fluid.count);
+            fluid.loop.each(fluid.count, [&](std::size_t i) {
+                share[i] = rest / std::max(rest, own_share(fluid, i));
+            });
             for (;; ++report.iterations) {
                 predict(fluid, dt);
                 report.error = update(fluid, kernel, step);
@@ -57,6 +62,11 @@ private:
     static constexpr Real relaxation = 0.5;
 
     Real relaxation_share = 0; ///< 0: not known yet
+    /// What one iteration takes back at most: a place that is predicted within a wall, whose
+    /// density grows fast, asks for a pressure that would throw the particle away.
+    static constexpr Real max_excess = Real(0.05);
+
+    std::vector<Real> share; ///< of the step of the pressures, for each particle
     std::vector<Row<Real>> acceleration;
     std::vector<Row<Real>> predicted; ///< places; one more than particles
 
@@ -82,7 +92,8 @@ private:
             const Real excess =
                 fluid.mass * sum_of_lanes(sum) + wall_sums(fluid, i, predicted[i], kernel).w - 1;
             this->pressure[i] =
-                std::max(this->pressure[i] + step * excess, min_pressure(fluid, i, clips));
+                std::max(this->pressure[i] + share[i] * step * std::min(excess, max_excess),
+                         min_pressure(fluid, i, clips));
             return std::max(excess, Real(0));
         });
         return fluid.count == 0 ? 0 : left / static_cast<double>(fluid.count);

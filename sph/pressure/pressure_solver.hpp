@@ -63,6 +63,21 @@ inline double any_step_is_stable(const Scene& /*scene*/) {
     return std::numeric_limits<double>::infinity();
 }
 
+/// By how much the pressure of particle i changes its own density rate, over dt^2: |g_i|^2 + m^2
+/// sum_j |grad W_ij|^2.
+template <class Real, int Dimension>
+MENISCUS_INLINE Real own_share(const Fluid<Real, Dimension>& fluid, std::size_t i) {
+    VectorSum<Real, Dimension> gradient;
+    Lanes<Real> squares{};
+    visit_neighbors(fluid, i, [&](const NeighborLanes<Real, Dimension>& lanes) {
+        const Lanes<Real> slope = slopes_of(fluid, i, lanes);
+        gradient.add(slope, lanes.step);
+        squares += slope * slope * lanes.distance_squared;
+    });
+    const Row<Real> all = plus(fluid.wall_gradient[i], fluid.mass, gradient.total());
+    return dot_rows(all, all) + fluid.mass * fluid.mass * sum_of_lanes(squares);
+}
+
 /// The linear system, and relaxed Jacobi iterations on it.
 template <class Real, int Dimension>
 class PressureSystem {
@@ -77,15 +92,7 @@ public:
         acceleration.assign(fluid.count + 1, {});
         source.resize(fluid.count);
         fluid.loop.each(fluid.count, [&](std::size_t i) {
-            VectorSum<Real, Dimension> gradient;
-            Lanes<Real> squares{};
-            visit_neighbors(fluid, i, [&](const NeighborLanes<Real, Dimension>& lanes) {
-                const Lanes<Real> slope = slopes_of(fluid, i, lanes);
-                gradient.add(slope, lanes.step);
-                squares += slope * slope * lanes.distance_squared;
-            });
-            const Row<Real> all = plus(fluid.wall_gradient[i], fluid.mass, gradient.total());
-            const Real sum = dot_rows(all, all) + fluid.mass * fluid.mass * sum_of_lanes(squares);
+            const Real sum = own_share(fluid, i);
             // Without neighbors there is nothing to push against.
             inverse_diagonal[i] = sum > static_cast<Real>(1e-6) ? 1 / sum : 0;
         });
