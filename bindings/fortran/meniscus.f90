@@ -59,6 +59,7 @@ module meniscus
         real(c_double) :: surface_tension = 0
         real(c_double) :: spacing_ratio = 0
         real(c_double) :: contact_angle = 0
+        real(c_double) :: ambient_pressure = 0
         type(c_ptr) :: second_line = c_null_ptr
         type(c_ptr) :: curvature_map = c_null_ptr
         integer(c_int) :: coverage = 0

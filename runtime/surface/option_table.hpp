@@ -37,6 +37,7 @@ inline constexpr OptionRange positive = {DBL_MIN, DBL_MAX, "positive and finite"
 inline constexpr OptionRange spacings = {0.1, 1000, "between 0.1 and 1000"};
 inline constexpr OptionRange contact_angle = {10, 170, "between 10 and 170"};
 inline constexpr OptionRange weight = {0, 10, "between 0 and 10"};
+inline constexpr OptionRange pressure = {0, 10, "between 0 and 10"};
 inline constexpr OptionRange coverage = {0, 1, "sampled or exact", {"sampled", "exact"}};
 inline constexpr OptionRange verification = {0, 1, "exact or drop", {"exact", "drop"}};
 inline constexpr OptionRange curvature = {0, 1, "closed or mapped", {"closed", "mapped"}};
@@ -76,7 +77,10 @@ inline constexpr OptionRange force = {0, 1, "paper or calibrated", {"paper", "ca
     ROW(surface_tension, finite, false, "N/m", "Sigma")                                            \
     ROW(spacing_ratio, spacings, false, "", "Support radius over particle spacing at rest")        \
     ROW(contact_angle, contact_angle, false, "degrees",                                            \
-        "At which the surface meets a wall when both are at rest, measured in the fluid")
+        "At which the surface meets a wall when both are at rest, measured in the fluid")          \
+    ROW(ambient_pressure, pressure, false, "(D - 1) sigma / h",                                    \
+        "Of the air, which keeps the fluid's own pressure above zero where the surface is hollow; " \
+        "of the calibrated force")
 // clang-format on
 
 /// A row of the table.

@@ -13,6 +13,11 @@
 // dimple stays there, and a droplet keeps its dents. The fluid's surface lies half a spacing
 // outside of that sheet and is larger by (1 + kappa_sheet spacing / 2)^(D - 1). In two dimensions
 // forces are per depth, N/m.
+//
+// The calibrated form may add the pressure of the air, p_0 = `ambient_pressure` (D - 1) sigma / h,
+// on the same pieces. It changes nothing but the zero of the fluid's pressure, which is what it is
+// for: below a hollow surface, and where fluid hangs higher than its level, pressure is lower than
+// that of the air, and a solver that clips what is below zero lets such fluid fall.
 #pragma once
 
 #include "curvature_map.hpp"
@@ -78,16 +83,18 @@ void find_force(const SurfaceTensionOptions& options, const Radii& radii, const 
     using namespace surface_force;
     const auto sigma = static_cast<Real>(options.surface_tension);
     const auto to_spacing = static_cast<Real>(1 / options.spacing_ratio);
+    const auto ambient = static_cast<Real>(options.ambient_pressure);
     loop(list.size(), [&](std::size_t begin, std::size_t end, int /*worker*/) {
         for (std::size_t slot = begin; slot < end; ++slot) {
             const Real radius = radii.of(list.particle[slot]);
             const Real spacing = radius * to_spacing;
+            const Real curvature = list.curvature[slot];
             const Real size =
                 options.force == ForceForm::calibrated
-                    ? calibrated_size<Dimension>(sigma, list.curvature[slot], list.turning[slot],
-                                                 sheet_area(list, slot), radius, spacing)
-                    : paper_size<Dimension>(sigma, list.curvature[slot], spacing,
-                                            list.weight[slot]);
+                    ? calibrated_size<Dimension>(sigma, curvature + ambient / radius,
+                                                 list.turning[slot], sheet_area(list, slot), radius,
+                                                 spacing)
+                    : paper_size<Dimension>(sigma, curvature, spacing, list.weight[slot]);
             for (std::size_t axis = 0; axis < Dimension; ++axis)
                 list.force[slot][axis] = -size * list.normal[slot][axis];
         }

@@ -58,6 +58,7 @@ struct SurfaceTensionOptions {
     double surface_tension = 0.072;
     double spacing_ratio = 2;
     double contact_angle = 90;    ///< of walls, degrees
+    double ambient_pressure = 0;  ///< in (D - 1) sigma / h (surface_force.hpp)
     SecondLine second_line{};     ///< of the classifier
     CurvatureMap curvature_map{}; ///< of dimension 0: the one that ships for the dimension
 };

@@ -122,8 +122,8 @@ public:
     /// particle that stays its own, or nullptr where particles keep their index. Never NaN from
     /// finite input. Throws std::invalid_argument, with the last step's results as they were, where
     /// Real cannot calculate with a support radius, or with two of them together
-    /// (position_resolution.hpp), or with forces of such a sigma at such radii, or the history's
-    /// share is out of its range.
+    /// (position_resolution.hpp), or with forces of such a sigma at such radii, where radii differ
+    /// in spite of an ambient pressure, or the history's share is out of its range.
     template <class View, class Boundary, class Radii, class Loop>
     void step(const View& view, const Boundary& boundary, std::size_t count, const Radii& radii,
               const std::uint32_t* ids, const Loop& loop) {
@@ -235,6 +235,8 @@ private:
         if (max / min > max_radius_contrast)
             refuse("the largest support radius is more than 1000000 times the smallest: are all "
                    "in m?");
+        if (settings.ambient_pressure > 0 && min < max)
+            refuse("ambient_pressure is over sigma / h: it must be 0 where support radii differ");
         check_forces(min, max);
     }
 
@@ -242,7 +244,8 @@ private:
     void check_forces(double min_radius, double max_radius) const {
         constexpr auto most = static_cast<double>((std::numeric_limits<Real>::max)());
         const double ratio = settings.radius_ratio;
-        const double curvature = 2 / std::sqrt((1 - ratio) * (1 + ratio)); // times h
+        const double curvature =
+            2 / std::sqrt((1 - ratio) * (1 + ratio)) + settings.ambient_pressure; // times h
         const double stretch = 1 + 1 / ((1 - ratio) * settings.spacing_ratio);
         // Divided one after another, so that nothing overflows here.
         const double max_sigma = most / (4 * stretch * stretch * curvature);

@@ -157,10 +157,6 @@ struct Fluid {
     /// What walls would add if they counted wholly wherever they are (wall_layer.hpp): gradient,
     /// and in w the density. It reaches farther, and tells what is about to run into a wall.
     std::vector<Row<Real>> wall_ahead;
-    /// How low the pressure of each particle may be where negative ones are clipped, as p / rho^2:
-    /// 0, or, next to a concave surface, what surface tension pulls with, since nothing else holds
-    /// what it pulls at.
-    std::vector<Real> min_pressure;
     std::vector<std::uint32_t> id;
     LaneLists neighbors;
     /// W'(q) / q of each pair of a list, from find_densities() on: the gradient is that times x_i -

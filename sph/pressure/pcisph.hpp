@@ -82,7 +82,7 @@ private:
     /// Moves the pressures by the compression at the predicted places; returns its mean.
     template <class Kernel>
     double update(const FluidType& fluid, const Kernel& kernel, Real step) {
-        const bool clips = this->options.clip_negative;
+        const Real min = min_pressure<Real>(this->options);
         const double left = fluid.loop.sum(fluid.count, [&](std::size_t i) -> Real {
             Lanes<Real> sum = kernel.value(Lanes<Real>{}) * Lanes<Real>{1, 0, 0, 0, 0, 0, 0, 0};
             visit_lists<Real, Dimension>(predicted.data(), predicted[i], fluid.neighbors, i,
@@ -92,8 +92,7 @@ private:
             const Real excess =
                 fluid.mass * sum_of_lanes(sum) + wall_sums(fluid, i, predicted[i], kernel).w - 1;
             this->pressure[i] =
-                std::max(this->pressure[i] + share[i] * step * std::min(excess, max_excess),
-                         min_pressure(fluid, i, clips));
+                std::max(this->pressure[i] + share[i] * step * std::min(excess, max_excess), min);
             return std::max(excess, Real(0));
         });
         return fluid.count == 0 ? 0 : left / static_cast<double>(fluid.count);

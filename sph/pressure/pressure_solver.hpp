@@ -52,10 +52,10 @@ protected:
     PressureOptions options;
 };
 
-/// The lowest pressure of a particle, as p / rho^2.
-template <class Real, int Dimension>
-MENISCUS_INLINE Real min_pressure(const Fluid<Real, Dimension>& fluid, std::size_t i, bool clips) {
-    return clips ? fluid.min_pressure[i] : -std::numeric_limits<Real>::infinity();
+/// The lowest pressure that particles may have.
+template <class Real>
+Real min_pressure(const PressureOptions& options) {
+    return options.clip_negative ? 0 : -std::numeric_limits<Real>::infinity();
 }
 
 /// For rows: no step is too long for the pressure.
@@ -116,18 +116,18 @@ public:
         const double share = options.accelerate ? 0.6 : 1;
         const Real step =
             relaxation_share * static_cast<Real>(share * options.relaxation) / (dt * dt);
-        const bool clips = options.clip_negative;
+        const Real min = min_pressure<Real>(options);
         before = pressure;
         double age = 1; // of the momentum of the pressures, in iterations
         for (;; ++report.iterations) {
             set_accelerations(fluid, pressure);
-            report.error = update(fluid, dt, step, clips, pressure);
+            report.error = update(fluid, dt, step, min, pressure);
             report.converged = report.error <= limit;
             if (report.iterations >= options.max_iterations ||
                 (report.converged && report.iterations >= options.min_iterations))
                 break;
             if (options.accelerate)
-                age = extrapolate(fluid, age, clips, pressure);
+                age = extrapolate(fluid, age, min, pressure);
         }
         fluid.loop.each(fluid.count,
                         [&](std::size_t i) { accelerate(fluid, i, dt, acceleration[i]); });
@@ -151,8 +151,7 @@ private:
     /// beginning again where the last update turned against it (O'Donoghue and Candes 2015): the
     /// number of iterations grows with the depth of the fluid in place of with its square. Returns
     /// the new age.
-    double extrapolate(const FluidType& fluid, double age, bool clips,
-                       std::vector<Real>& pressure) {
+    double extrapolate(const FluidType& fluid, double age, Real min, std::vector<Real>& pressure) {
         const double turn = fluid.loop.sum(fluid.count, [&](std::size_t i) {
             return (fluid.place[i].w - pressure[i]) * (pressure[i] - before[i]); // w: before update
         });
@@ -160,22 +159,20 @@ private:
         const auto share = static_cast<Real>(turn > 0 ? 0 : (age - 1) / next);
         fluid.loop.each(fluid.count, [&](std::size_t i) {
             const Real updated = pressure[i];
-            pressure[i] =
-                std::max(updated + share * (updated - before[i]), min_pressure(fluid, i, clips));
+            pressure[i] = std::max(updated + share * (updated - before[i]), min);
             before[i] = updated;
         });
         return next;
     }
 
     /// Moves the pressures; returns the mean compression that they left before.
-    double update(const FluidType& fluid, Real dt, Real step, bool clips,
+    double update(const FluidType& fluid, Real dt, Real step, Real min,
                   std::vector<Real>& pressure) {
         const double left = fluid.loop.sum(fluid.count, [&](std::size_t i) -> Real {
             if (inverse_diagonal[i] == 0)
                 return 0;
             const Real residual = source[i] + dt * dt * compression_rate(fluid, acceleration, i);
-            pressure[i] = std::max(pressure[i] + step * residual * inverse_diagonal[i],
-                                   min_pressure(fluid, i, clips));
+            pressure[i] = std::max(pressure[i] + step * residual * inverse_diagonal[i], min);
             return std::max(residual, Real(0));
         });
         return fluid.count == 0 ? 0 : left / static_cast<double>(fluid.count);

@@ -25,13 +25,12 @@ public:
 
     SolveReport solve(FluidType& fluid, Real dt) override {
         const double speed = this->options.sound_speed / fluid.units.support_radius;
-        const bool clips = this->options.clip_negative;
+        const Real min = min_pressure<Real>(this->options);
         const auto stiffness = static_cast<Real>(speed * speed / 7);
         fluid.loop.each(fluid.count, [&](std::size_t i) {
             const Real square = fluid.density[i] * fluid.density[i];
             const Real pressure = stiffness * (square * square * square * fluid.density[i] - 1);
-            fluid.place[i].w = this->pressure[i] =
-                std::max(pressure / square, min_pressure(fluid, i, clips));
+            fluid.place[i].w = this->pressure[i] = std::max(pressure / square, min);
         });
         fluid.loop.each(fluid.count, [&](std::size_t i) {
             accelerate(fluid, i, dt, pressure_acceleration(fluid, i));

@@ -248,7 +248,7 @@ void refuse_keys_of_others(const JsonReader& reader, const TensionModelRow& mode
                             "it is for model " + std::string(other.name) + " alone");
 }
 
-TensionOptions read_tension(const JsonReader& reader) {
+TensionOptions read_tension(const JsonReader& reader, bool has_walls) {
     std::vector<std::string> keys{"model", "coefficient", "restrict_to_surface"};
     for (const TensionModelRow& model : tension_models())
         keys.insert(keys.end(), model.keys.begin(), model.keys.end());
@@ -258,6 +258,7 @@ TensionOptions read_tension(const JsonReader& reader) {
     TensionOptions options;
     options.model = model.name;
     options.coefficient = reader.number("coefficient", 0, max);
+    options.surface.ambient_pressure = default_ambient_pressure(has_walls);
     refuse_keys_of_others(reader, model);
     if (model.read != nullptr)
         model.read(reader, options);
@@ -369,7 +370,8 @@ Scene scene_from(const JsonReader& reader, const std::filesystem::path& folder) 
     if (reader.has("viscosity"))
         scene.viscosity = read_viscosity(reader.object_at("viscosity"));
     if (reader.has("surface_tension"))
-        scene.surface_tension = read_tension(reader.object_at("surface_tension"));
+        scene.surface_tension =
+            read_tension(reader.object_at("surface_tension"), !scene.walls.empty());
     scene.time_step = reader.has("time_step")
                           ? read_time_step(reader.object_at("time_step"), scene.particle_spacing)
                           : default_time_step(scene.particle_spacing);

@@ -139,13 +139,15 @@ public:
         StepResults found;
         const double pressure_unit =
             scene.rest_density * scene.support_radius * scene.support_radius;
+        const double ambient = tension ? tension->ambient_pressure() : 0;
         found.density.resize(fluid.count);
         found.pressure.resize(fluid.count);
         for (std::size_t i = 0; i < fluid.count; ++i) {
             const auto density = static_cast<double>(fluid.density[i]);
             found.density[i] = density * scene.rest_density;
-            found.pressure[i] =
-                static_cast<double>(solver->pressure[i]) * density * density * pressure_unit;
+            const double pressure = static_cast<double>(solver->pressure[i]) * density * density;
+            // What nothing presses, as spray and all before the first step, has none.
+            found.pressure[i] = pressure == 0 ? 0 : (pressure - ambient) * pressure_unit;
         }
         take_time_step(state.time_step > 0 ? state.time_step
                                            : time_step_for(scene, 0, 0, scene.duration));
@@ -225,7 +227,6 @@ private:
         fluid.velocity.resize(count + 1);
         fluid.acceleration.resize(count);
         fluid.density.resize(count);
-        fluid.min_pressure.assign(count, 0);
         fluid.wall_density.resize(count);
         fluid.wall_gradient.resize(count);
         fluid.wall_ahead.resize(count);
@@ -355,7 +356,6 @@ private:
         detector->add_accelerations(fluid);
         const auto is_surface = detector->results(fluid).surface_class;
         fluid.acceleration = accelerations_before;
-        fluid.min_pressure.assign(fluid.count, 0); // the detector's forces do not act
         tension->add_accelerations(fluid);
         fluid.loop.each(fluid.count, [&](std::size_t i) {
             if (is_surface[i] != 2)

@@ -160,7 +160,6 @@ public:
         slow_contact_lines(fluid);
         damp_ripples(surface, this->options.ripple_damping, tension.options().surface_tension,
                      1 / tension.options().spacing_ratio, fluid, speeds);
-        allow_suction(fluid);
     }
 
     [[nodiscard]] SurfaceResults results(const FluidType& fluid) const override {
@@ -186,6 +185,13 @@ public:
         const auto& classes = tension.surface().surface_class;
         return static_cast<std::size_t>(
             std::count(classes.begin(), classes.end(), SurfaceClass::surface));
+    }
+
+    [[nodiscard]] double ambient_pressure() const override {
+        const SurfaceTensionOptions& settings = tension.options();
+        return settings.force == ForceForm::calibrated
+                   ? settings.ambient_pressure * (Dimension - 1) * settings.surface_tension
+                   : 0; // h is 1
     }
 
 private:
@@ -226,32 +232,6 @@ private:
             const std::size_t i = surface.particle[slot];
             fluid.acceleration[i] = plus(fluid.acceleration[i], -rate, fluid.velocity[i]);
         });
-    }
-
-    /// A fluid that is clipped where it pulls on itself tears: next to a concave surface, whose
-    /// particles nothing else holds, and where a drop swings back and its flat side is left behind.
-    /// So the pressure may be a little below zero everywhere, and twice the capillary one,
-    /// (D - 1) sigma kappa, next to a concave surface.
-    void allow_suction(FluidType& fluid) const {
-        constexpr Real everywhere = Real(-0.05); // h kappa; four times that lets walls rattle
-        const auto least =
-            (Dimension - 1) * everywhere * static_cast<Real>(tension.options().surface_tension);
-        fluid.min_pressure.assign(fluid.count, least);
-        constexpr Real concave = Real(-0.15); // h kappa; less is the scatter of flat surfaces
-        const auto& surface = tension.surface();
-        const auto sigma = static_cast<Real>(tension.options().surface_tension);
-        for (std::size_t slot = 0; slot < surface.size(); ++slot) {
-            if (!(surface.curvature[slot] < concave))
-                continue;
-            const Real pressure = 2 * (Dimension - 1) * sigma * surface.curvature[slot];
-            const std::size_t i = surface.particle[slot];
-            const auto lower = [&](std::size_t j) {
-                fluid.min_pressure[j] = std::min(fluid.min_pressure[j], pressure);
-            };
-            lower(i);
-            for (std::uint32_t n = 0; n < fluid.neighbors.count[i]; ++n)
-                lower(fluid.neighbors.begin[i][n]);
-        }
     }
 
     template <class View, class Boundary>

@@ -35,6 +35,9 @@ public:
 
     [[nodiscard]] virtual std::size_t surface_particles() const { return 0; }
 
+    /// Of the air, part of the forces: pressures of the fluid are higher by it.
+    [[nodiscard]] virtual double ambient_pressure() const { return 0; }
+
 protected:
     TensionOptions options;
     double rest_spacing;

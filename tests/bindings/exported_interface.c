@@ -35,6 +35,7 @@ int main(void) {
     MEMBER(meniscus_options, surface_tension);
     MEMBER(meniscus_options, spacing_ratio);
     MEMBER(meniscus_options, contact_angle);
+    MEMBER(meniscus_options, ambient_pressure);
     MEMBER(meniscus_options, second_line);
     MEMBER(meniscus_options, curvature_map);
     MEMBER(meniscus_options, coverage);

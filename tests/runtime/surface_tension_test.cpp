@@ -251,6 +251,31 @@ TYPED_TEST(SurfaceTensionStep, PermutedParticlesKeepTheirResults) {
 }
 
 /// Without ids the samples change with the order, so that the test above says something.
+/// p_0 on all of a ball's surface, whose radius is that of the particles' volume.
+TYPED_TEST(SurfaceTensionStep, AmbientPressureActsOnTheWholeSurface) {
+    using Real = typename TypeParam::Real;
+    constexpr int dimension = TypeParam::dimension;
+    const auto fluid = ball<Real, dimension>(dimension == 3 ? 8 : 16, 0);
+    auto options = options_for<dimension>();
+    SurfaceTension<Real, dimension> plain(options);
+    options.ambient_pressure = 0.5;
+    SurfaceTension<Real, dimension> in_air(options);
+    plain.step(fluid.view(), fluid.size(), fluid.radii(), SerialLoop{});
+    in_air.step(fluid.view(), fluid.size(), fluid.radii(), SerialLoop{});
+    ASSERT_EQ(in_air.surface().particle, plain.surface().particle);
+    double pressed = 0;
+    for (std::size_t slot = 0; slot < plain.surface().size(); ++slot)
+        for (std::size_t axis = 0; axis < dimension; ++axis)
+            pressed += static_cast<double>(
+                (plain.surface().force[slot][axis] - in_air.surface().force[slot][axis]) *
+                plain.surface().normal[slot][axis]);
+    const double volume = static_cast<double>(fluid.size()) * std::pow(0.5, dimension);
+    const double radius = dimension == 3 ? std::cbrt(0.75 * volume / pi) : std::sqrt(volume / pi);
+    const double area = dimension == 3 ? 4 * pi * radius * radius : 2 * pi * radius;
+    const double pressure = 0.5 * (dimension - 1) * options.surface_tension;
+    EXPECT_NEAR(pressed, pressure * area, 0.05 * pressure * area);
+}
+
 TEST(SurfaceTensionIds, KeyTheSamples) {
     const auto fluid = droplet<double, 3>();
     std::vector<std::uint32_t> ids(fluid.size());
@@ -480,6 +505,20 @@ TEST(SurfaceTensionCheck, TakesTheEndsOfEachRange) {
             EXPECT_NO_THROW(check(options, 3)) << option.name;
         }
     });
+}
+
+TEST(SurfaceTensionCheck, AmbientPressureNeedsOneRadius) {
+    const auto fluid = ball<double, 3>(3, 0.2);
+    auto options = options_for<3>();
+    options.ambient_pressure = 0.5;
+    SurfaceTension<double, 3> tension(options);
+    std::vector<double> radii(fluid.size(), 1);
+    const auto step = [&] {
+        tension.step(fluid.view(), fluid.size(), VaryingRadii<double>{radii.data()}, SerialLoop{});
+    };
+    EXPECT_NO_THROW(step());
+    radii[0] = 1.5;
+    EXPECT_THROW(step(), std::invalid_argument);
 }
 
 TEST(SurfaceTensionCheck, HistoryHasAShareBelow1) {

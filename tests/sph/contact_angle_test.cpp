@@ -19,6 +19,7 @@ Scene water_scene(double contact_angle, double kinematic) {
     scene.surface_tension.model = "meniscus";
     scene.surface_tension.coefficient = sigma;
     scene.surface_tension.surface.contact_angle = contact_angle;
+    scene.surface_tension.surface.ambient_pressure = default_ambient_pressure(true);
     return scene;
 }
 
@@ -55,7 +56,7 @@ TEST(ContactAngle, ALevelLayerBetweenWallsRests) {
         scene.fluid = {{BoxShape{{5e-5, 5e-5, 0}, {2.05e-3, 1.05e-3, 0}, {}}, {}}};
         scene.walls = {BoxShape{{0, 0, 0}, {2.1e-3, 2e-3, 0}, {"+y"}}};
         const auto simulation = start(scene);
-        EXPECT_LT(largest_energy(*simulation, 0.01), 1.002);
+        EXPECT_LT(largest_energy(*simulation, 0.02), 1.002);
         EXPECT_LT(simulation->balance().max_speed, 0.05); // 0.8 m/s is the capillary speed
         EXPECT_EQ(simulation->size(), 200U);
     }
@@ -75,22 +76,18 @@ TEST(ContactAngle, ALayerAsThinAsWaterRestsSinceItsContactLinesHaveFriction) {
     }
 }
 
-/// Of a wide tank, at 120 degrees: the contact line lies lower than the middle by
-/// sqrt(2 (1 - sin theta)) capillary lengths; the particles counted, up to 1.6 spacings off the
-/// wall, lie on its slope, higher by about a tenth of that.
-TEST(ContactAngle, AMeniscusThatDoesNotWetComesToRest) {
-    constexpr double coarse = 2.5e-4;
-    Scene scene = water_scene(120, 2e-5);
+Scene scene_in_gravity(double contact_angle, double coarse) {
+    Scene scene = water_scene(contact_angle, 2e-5);
     scene.particle_spacing = coarse;
     scene.support_radius = 2 * coarse;
     scene.time_step.max = default_max_time_step(coarse);
     scene.gravity = {0, -9.81, 0};
-    scene.fluid = {{BoxShape{{0, 0, 0}, {16e-3, 5e-3, 0}, {}}, {}}};
-    scene.walls = {BoxShape{{-coarse / 2, -coarse / 2, 0}, {16e-3 + coarse / 2, 16e-3, 0}, {"+y"}}};
-    const auto simulation = start(scene);
-    run_until(*simulation, 0.25);
-    EXPECT_LT(simulation->balance().max_speed, 0.02);
-    const Snapshot frame = simulation->snapshot();
+    return scene;
+}
+
+/// How much higher the surface lies at the walls of a tank than in its middle. The particles
+/// counted there lie up to 1.6 spacings off the wall, on the slope.
+double height_of_meniscus(const Snapshot& frame, double width, double coarse) {
     const auto classes = scalar_values(frame, "surface_class");
     double at_walls = 0, middle = 0;
     int at_walls_count = 0, middle_count = 0;
@@ -98,20 +95,79 @@ TEST(ContactAngle, AMeniscusThatDoesNotWetComesToRest) {
         if (classes[i] != 2)
             continue;
         const Place& place = frame.positions[i];
-        const double from_wall = std::min(place[0], 16e-3 - place[0]);
+        const double from_wall = std::min(place[0], width - place[0]);
         if (from_wall < 1.6 * coarse) {
             at_walls += place[1];
             ++at_walls_count;
-        } else if (from_wall > 6e-3) {
+        } else if (from_wall > 0.4 * width) {
             middle += place[1];
             ++middle_count;
         }
     }
-    const double expected = std::sqrt(2 * (1 - std::sqrt(3) / 2) * sigma / (1000 * 9.81));
-    ASSERT_GT(at_walls_count, 0);
-    EXPECT_NEAR(middle / middle_count - at_walls / at_walls_count, 0.85 * expected,
-                0.15 * expected);
-    EXPECT_EQ(simulation->size(), 1280U);
+    EXPECT_GT(at_walls_count, 0);
+    return at_walls / at_walls_count - middle / middle_count;
+}
+
+/// At the wall itself it is sqrt(2 (1 - sin theta)) capillary lengths.
+TEST(ContactAngle, MenisciOfAllSolversComeToRest) {
+    constexpr double coarse = 2.5e-4, width = 12e-3;
+    const double capillary_length = std::sqrt(sigma / (1000 * 9.81));
+    for (const auto& [solver, name] : all_solvers)
+        for (const double angle : {60.0, 120.0}) {
+            if (std::string_view(solver) == "wcsph")
+                continue; // sound that fast needs steps that take minutes
+            SCOPED_TRACE(std::string(name) + ", " + std::to_string(angle));
+            Scene scene = scene_in_gravity(angle, coarse);
+            scene.pressure.solver = solver;
+            scene.fluid = {{BoxShape{{0, 0, 0}, {width, 3e-3, 0}, {}}, {}}};
+            scene.walls = {
+                BoxShape{{-coarse / 2, -coarse / 2, 0}, {width + coarse / 2, 8e-3, 0}, {"+y"}}};
+            const auto simulation = start(scene);
+            run_until(*simulation, 0.25);
+            EXPECT_LT(simulation->balance().max_speed, 0.02);
+            const double rise = height_of_meniscus(simulation->snapshot(), width, coarse);
+            const double expected = std::sqrt(2 - std::sqrt(3)) * capillary_length;
+            EXPECT_NEAR(std::abs(rise), 0.85 * expected, 0.15 * expected);
+            EXPECT_EQ(rise > 0, angle < 90);
+            EXPECT_EQ(simulation->size(), 576U);
+        }
+}
+
+/// Between plates 1.5 mm apart that dip into a tank: Jurin's height is 2 sigma cos(theta) / (rho g
+/// width), of all that was drawn up. Ten particles between the plates make it lower by a quarter.
+TEST(ContactAngle, WaterRisesBetweenPlates) {
+    constexpr double coarse = 1.5e-4;
+    constexpr double tank = 12e-3, plates = 1.5e-3, bottom = 1.2e-3, top = 14e-3;
+    constexpr double left = (tank - plates) / 2, right = left + plates;
+    constexpr double thick = 3 * coarse;
+    Scene scene = scene_in_gravity(60, coarse);
+    const auto fill = [&](double low, double high, double height) {
+        scene.fluid.push_back({BoxShape{{low, 0, 0}, {high, height, 0}, {}}, {}});
+    };
+    fill(0, left - thick, 3.6e-3);
+    fill(left - thick, left, bottom);
+    fill(left, right, 3.6e-3);
+    fill(right, right + thick, bottom);
+    fill(right + thick, tank, 3.6e-3);
+    const double half = coarse / 2;
+    scene.walls = {BoxShape{{-half, -half, 0}, {tank + half, top, 0}, {"+y"}},
+                   BoxShape{{left - thick + half, bottom + half, 0}, {left - half, top, 0}, {}},
+                   BoxShape{{right + half, bottom + half, 0}, {right + thick - half, top, 0}, {}}};
+    const auto simulation = start(scene);
+    const std::size_t count = simulation->size();
+    run_until(*simulation, 0.4);
+    EXPECT_LT(simulation->balance().max_speed, 0.02);
+    EXPECT_EQ(simulation->size(), count);
+    const double area = coarse * coarse;
+    double between = 0, outside = 0;
+    for (const Place& place : simulation->snapshot().positions) {
+        between += place[0] > left && place[0] < right ? area : 0;
+        outside += place[0] < left - thick || place[0] > right + thick ? area : 0;
+    }
+    const double rise = between / plates - outside / (tank - plates - 2 * thick);
+    const double jurin = 2 * sigma * 0.5 / (1000 * 9.81 * plates);
+    EXPECT_GT(rise, 0.7 * jurin);
+    EXPECT_LT(rise, 1.05 * jurin);
 }
 
 TEST(ContactAngle, AHalfDiscThatStartsHalfASpacingFromTheWallRests) {
@@ -193,8 +249,10 @@ TEST(ContactAngle, EachWallMayHaveItsOwn) {
     EXPECT_EQ(places_by_id(*simulation), places_by_id(*other));
 }
 
-TEST(Suction, HoldsANeckTogether) {
+/// The neck is hollow: its surface pulls outward.
+TEST(AmbientPressure, HoldsANeckTogether) {
     Scene scene = water_scene(90, 2e-5);
+    scene.surface_tension.surface.ambient_pressure = default_ambient_pressure(false);
     const SphereShape low{{0, -1.25e-3, 0}, {1.2e-3, 1.2e-3, 0}};
     const SphereShape high{{0, 1.25e-3, 0}, {1.2e-3, 1.2e-3, 0}};
     scene.fluid = {{low, {}}, {high, {}}};

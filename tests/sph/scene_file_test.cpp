@@ -395,6 +395,24 @@ TEST_F(SceneFile, SamplesFollowTheTimeStepWhereADensityStandsInTheirPlace) {
     expect_mentions(error_in("min_samples", 3), {"'surface_tension.min_samples'"});
 }
 
+TEST_F(SceneFile, AirPressesMoreAtWallsAndNotWithThePapersChoices) {
+    const auto pressure_of = [&](const Change& change) {
+        Json json = Json::parse(full_scene);
+        change(json);
+        return scene(json.dump()).surface_tension.surface.ambient_pressure;
+    };
+    EXPECT_EQ(pressure_of([](Json&) {}), 0);
+    const auto own = [](Json& json) { json["surface_tension"].erase("paper"); };
+    EXPECT_EQ(pressure_of(own), default_ambient_pressure(true));
+    EXPECT_EQ(pressure_of([&](Json& json) {
+                  own(json);
+                  json.erase("walls");
+              }),
+              default_ambient_pressure(false));
+    EXPECT_EQ(pressure_of([](Json& json) { json["surface_tension"]["ambient_pressure"] = 0.25; }),
+              0.25);
+}
+
 TEST_F(SceneFile, SaysWhatTheLogHas) {
     Json json = Json::parse(smallest_scene);
     const std::string plain = scene_text(scene(json.dump()));
