@@ -14,6 +14,7 @@
 #include <meniscus/data/particles/feature_names.hpp>
 #include <meniscus/data/particles/particle_arrays.hpp>
 #include <meniscus/data/particles/periodic_copies.hpp>
+#include <meniscus/data/slabs/process_memory.hpp>
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/files.hpp>
 #include <meniscus/data/text/text.hpp>
@@ -168,20 +169,18 @@ FileReport label_in_one_pass(const LabelJob& job) {
 
 FileReport label_large(const LabelJob& job, LargeState large, Ranks& ranks) {
     note_origin(job, large.state.frame);
-    const SlabOptions slabs = {job.memory, job.command.files.folder, default_label_threshold};
+    const SlabOptions slabs = {job.memory, job.command.files.folder};
     ProgressBar bar(job.output.filename().string(),
                     large.state.size / static_cast<std::uint64_t>(ranks.size()),
                     job.is_quiet || ranks.rank() > 0);
-    const LabelsInFile labels =
-        label_in_slabs(large.state, with_progress(job.options, bar), slabs, ranks);
-    do_together(ranks, [&] {
-        if (ranks.rank() == 0)
-            write_large(large, labels, job.command.label, job.output);
-    });
+    const LabelsInFile labels = label_in_slabs(large.state, with_progress(job.options, bar), slabs,
+                                               default_label_threshold, ranks);
+    const std::uint64_t sent =
+        write_large(large, labels, job.command.label, job.output, ranks) + labels.bytes_sent;
     FileReport report =
         report_of(job.output, large.state.frame, summary_of(job.output, large.state, labels),
                   job.command.label.boundary_weight);
-    std::vector<std::uint64_t> halo = {labels.halo, labels.bytes_exchanged};
+    std::vector<std::uint64_t> halo = {labels.halo, sent};
     ranks.sum(halo);
     std::vector<double> peak = {static_cast<double>(peak_memory())};
     ranks.max(peak);

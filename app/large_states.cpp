@@ -91,27 +91,55 @@ ArrayValues read_values(const Path& file, const PointArray& array, std::uint64_t
     return std::move(values);
 }
 
+std::vector<std::uint8_t> is_surface(const std::vector<double>& lambda) {
+    std::vector<std::uint8_t> surface(lambda.size());
+    std::transform(lambda.begin(), lambda.end(), surface.begin(), [](double one) {
+        return static_cast<std::uint8_t>(one > zero_uncovered_fraction);
+    });
+    return surface;
+}
+
 /// Rows of an array that labelling adds, as the frame's empty array has them; nothing where it is
 /// one of the input's own.
-std::optional<ArrayValues> label_values(const PointArray& array, const Labels& rows,
+std::optional<ArrayValues> label_values(const PointArray& array, const RowResults& rows,
+                                        std::uint64_t first, std::uint64_t count,
                                         const LabelOptions& options) {
+    const auto column = [&](std::size_t number) { return rows.column(number, first, count); };
     if (array.name == "uncovered_fraction")
-        return rows.uncovered_fraction;
+        return column(lambda_column);
     if (array.name == "surface")
-        return stored_classes(rows.surface);
+        return stored_classes(is_surface(column(lambda_column)));
     if (array.name == "valid")
-        return stored_classes(rows.valid);
+        return stored_classes(rows.was_added(first, count));
     if (array.name == "mass_offset")
-        return rows.mass_offset;
-    if (array.name == "neighbor_count" &&
-        std::holds_alternative<std::vector<std::uint32_t>>(array.values))
-        return std::vector<std::uint32_t>(rows.neighbor_count.begin(), rows.neighbor_count.end());
-    if (array.name == "neighbor_count")
-        return rows.neighbor_count;
+        return column(mass_offset_column);
+    if (array.name == "neighbor_count") {
+        std::vector<double> counts = column(count_column);
+        if (std::holds_alternative<std::vector<std::uint32_t>>(array.values))
+            return std::vector<std::uint32_t>(counts.begin(), counts.end());
+        return counts;
+    }
     for (std::size_t f = 0; f < options.features.size(); ++f)
         if (array.name == feature_list[options.features[f]].name)
-            return rows.features[f];
+            return column(label_columns + f);
     return std::nullopt;
+}
+
+/// Writes a file that each rank has its share of. Returns the bytes that this one sent.
+std::uint64_t write_together(const FetchedSnapshot& fetched, const Path& output, Ranks& ranks) {
+    if (ranks.size() == 1) {
+        const WriteGuard guard;
+        write_vtkhdf(fetched, output);
+        return 0;
+    }
+    const PackedDatasets packed = pack_vtkhdf(fetched, output.parent_path(), ranks);
+    do_together(ranks, [&] {
+        if (ranks.rank() > 0)
+            return;
+        const WriteGuard guard;
+        write_vtkhdf(fetched, packed, output);
+    });
+    return packed.bytes_sent();
 }
 
 } // namespace
@@ -153,8 +181,8 @@ std::optional<LargeState> large_state(const Path& input, const Boundary& boundar
     return large;
 }
 
-void write_large(const LargeState& large, const LabelsInFile& labels, const LabelOptions& options,
-                 const Path& output) {
+std::uint64_t write_large(const LargeState& large, const LabelsInFile& labels,
+                          const LabelOptions& options, const Path& output, Ranks& ranks) {
     FetchedSnapshot fetched;
     fetched.frame = large.state.frame;
     fetched.size = large.state.size;
@@ -168,12 +196,11 @@ void write_large(const LargeState& large, const LabelsInFile& labels, const Labe
     };
     fetched.values = [&](std::size_t place, std::uint64_t first, std::uint64_t count) {
         const PointArray& array = fetched.frame.point_data[place];
-        if (auto found = label_values(array, labels.rows(first, count), options))
+        if (auto found = label_values(array, *labels.rows, first, count, options))
             return std::move(*found);
         return read_values(large.file, array, first, count);
     };
-    const WriteGuard guard;
-    write_vtkhdf(fetched, output);
+    return write_together(fetched, output, ranks);
 }
 
 } // namespace meniscus

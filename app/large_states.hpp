@@ -34,8 +34,9 @@ struct LargeStateOptions {
 std::optional<LargeState> large_state(const Path& input, const Boundary& boundary,
                                       const LargeStateOptions& options, const LabelOptions& label);
 
-/// Writes the state with its labels. Throws as write_vtkhdf does.
-void write_large(const LargeState& large, const LabelsInFile& labels, const LabelOptions& options,
-                 const Path& output);
+/// Writes the state with its labels. Collective; throws as write_vtkhdf does, on all ranks alike.
+/// Returns the bytes that this rank sent to others.
+std::uint64_t write_large(const LargeState& large, const LabelsInFile& labels,
+                          const LabelOptions& options, const Path& output, Ranks& ranks);
 
 } // namespace meniscus
