@@ -561,32 +561,44 @@ void check_sample(const Levels& levels, std::size_t max_crowd, const SupportRadi
 
 } // namespace
 
-NeighborLists find_neighbors(const Positions& positions, const SupportRadii& radii,
-                             const NeighborFilter& filter, int threads) {
-    const NeighborGrid sorted(positions, radii, filter, threads);
+/// The lists of so many particles, those of a grid, with no more than `max_crowd` in one place.
+NeighborLists list_neighbors(const NeighborGrid& sorted, std::size_t particles,
+                             const SupportRadii& radii, std::size_t max_crowd, int threads) {
     const Levels& levels = *sorted.levels;
     NeighborLists lists;
-    check_sample(levels, filter.max_crowd, radii);
-    lists.offsets.assign(positions.size() + 1, 0);
+    check_sample(levels, max_crowd, radii);
+    lists.offsets.assign(particles + 1, 0);
     // Twice the same walk, first to count and then to write: the lists are by far the largest
     // thing in memory, and this way they are there once.
     const auto loop = loop_over(threads, 1024);
     loop(levels.size, [&](std::size_t begin, std::size_t end, int) {
         for (std::size_t s = begin; s < end; ++s)
-            lists.offsets[particle_at(levels, s) + 1] = listed(levels, s, filter.max_crowd);
+            lists.offsets[particle_at(levels, s) + 1] = listed(levels, s, max_crowd);
     });
-    for (std::size_t i = 0; i < positions.size(); ++i)
+    for (std::size_t i = 0; i < particles; ++i)
         lists.offsets[i + 1] += lists.offsets[i];
     check_listed(lists.offsets.back(), levels.size, max_listed_neighbors, radii);
     lists.neighbors.resize(lists.offsets.back());
     loop(levels.size, [&](std::size_t begin, std::size_t end, int) {
         for (std::size_t s = begin; s < end; ++s) {
             std::size_t place = lists.offsets[particle_at(levels, s)];
-            visit_listed(levels, s, filter.max_crowd,
+            visit_listed(levels, s, max_crowd,
                          [&](std::uint32_t neighbor) { lists.neighbors[place++] = neighbor; });
         }
     });
     return lists;
+}
+
+NeighborLists find_neighbors(const Positions& positions, const SupportRadii& radii,
+                             const NeighborFilter& filter, int threads) {
+    return list_neighbors(NeighborGrid(positions, radii, filter, threads), positions.size(), radii,
+                          filter.max_crowd, threads);
+}
+
+NeighborLists find_neighbors(const Positions& positions, const GridLayout& whole,
+                             const NeighborFilter& filter, int threads) {
+    return list_neighbors(NeighborGrid(positions, whole, filter, threads), positions.size(),
+                          whole.radius, filter.max_crowd, threads);
 }
 
 } // namespace meniscus
