@@ -31,6 +31,9 @@ struct NeighborGrid::Cells {
     Cell cells{1, 1, 1}; ///< how many there are along each axis
     /// Of a part of a state, the shared buckets that hold particles, sorted; else empty: all.
     std::vector<std::uint64_t> occupied;
+    /// Where to look among these: the first one whose bucket, so many bits shorter, is not less.
+    std::vector<std::uint32_t> occupied_from;
+    int occupied_shift = 0;
     std::vector<std::uint32_t> bucket_start; ///< size: buckets + 1
     std::vector<std::uint32_t> order;        ///< particle at each sorted place
     Positions positions;                     ///< sorted
@@ -163,6 +166,21 @@ void make_room(Grid& grid, const GridLayout& layout) {
     grid.bucket_start.assign((layout.direct ? cell_count(grid) : layout.bucket_mask + 1) + 1, 0);
 }
 
+/// Makes a table by which a bucket is found among the occupied ones without a search: as they are
+/// spread evenly, each entry stands for a few.
+void index_occupied(Grid& grid) {
+    while ((grid.layout.bucket_mask >> grid.occupied_shift) > grid.occupied.size())
+        ++grid.occupied_shift;
+    const std::size_t entries = (grid.layout.bucket_mask >> grid.occupied_shift) + 2;
+    grid.occupied_from.resize(entries);
+    std::size_t slot = 0;
+    for (std::size_t entry = 0; entry < entries; ++entry) {
+        while (slot < grid.occupied.size() && (grid.occupied[slot] >> grid.occupied_shift) < entry)
+            ++slot;
+        grid.occupied_from[entry] = static_cast<std::uint32_t>(slot);
+    }
+}
+
 /// Only as many as a part of the state needs: numbered otherwise, but in the same order.
 void make_room_for_part(Grid& grid, const GridLayout& layout, const Positions& positions,
                         const NeighborFilter& filter) {
@@ -187,15 +205,17 @@ void make_room_for_part(Grid& grid, const GridLayout& layout, const Positions& p
     grid.occupied.erase(std::unique(grid.occupied.begin(), grid.occupied.end()),
                         grid.occupied.end());
     grid.bucket_start.assign(grid.occupied.size() + 1, 0);
+    index_occupied(grid);
 }
 
 /// The number of buckets that hold particles and come before this one.
 std::size_t first_slot(const Grid& grid, std::uint64_t bucket) {
     if (grid.occupied.empty())
         return bucket;
-    return static_cast<std::size_t>(
-        std::lower_bound(grid.occupied.begin(), grid.occupied.end(), bucket) -
-        grid.occupied.begin());
+    std::size_t slot = grid.occupied_from[bucket >> grid.occupied_shift];
+    while (slot < grid.occupied.size() && grid.occupied[slot] < bucket)
+        ++slot;
+    return slot;
 }
 
 /// The places of all from one bucket to another.

@@ -104,7 +104,7 @@ struct StateInSlabs::Work {
         // but no slab at that time.
         const std::uint64_t row = 7 * (32 + 8 * arrays.size());
         rows_at_once = std::clamp(left / 2 / row, min_rows, max_rows);
-        budget = left - std::min(left, more_buffers);
+        budget = left - std::min(left / 8, more_buffers);
     }
 
     /// What the program comes to take itself while it works.
