@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <condition_variable>
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <mutex>
 #include <string>
@@ -88,17 +89,26 @@ private:
     }
 };
 
-/// Calls work(ranks) on so many threads at a time.
+/// Calls work(ranks) on so many threads at a time. Throws what the first of them throws, which is
+/// to be what all throw: one that comes to an end alone leaves the others waiting.
 inline void on_thread_ranks(int count, const std::function<void(Ranks&)>& work) {
     SharedDesk desk(static_cast<std::size_t>(count));
     std::vector<std::thread> threads;
+    std::vector<std::exception_ptr> errors(static_cast<std::size_t>(count));
     for (int number = 0; number < count; ++number)
-        threads.emplace_back([&desk, &work, number] {
+        threads.emplace_back([&desk, &work, &errors, number] {
             ThreadRank rank(desk, number);
-            work(rank);
+            try {
+                work(rank);
+            } catch (...) {
+                errors[static_cast<std::size_t>(number)] = std::current_exception();
+            }
         });
     for (std::thread& thread : threads)
         thread.join();
+    for (const std::exception_ptr& error : errors)
+        if (error)
+            std::rethrow_exception(error);
 }
 
 } // namespace meniscus
