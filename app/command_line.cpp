@@ -177,7 +177,7 @@ ProgressBar::ProgressBar(std::string title, std::size_t total, bool quiet)
 
 void ProgressBar::show(std::size_t done) {
     line.show([&] {
-        const std::size_t percent = total == 0 ? 100 : 100 * done / total;
+        const std::size_t percent = done >= total ? 100 : 100 * done / total;
         constexpr std::size_t width = 40;
         const std::size_t filled = percent * width / 100;
         return fmt::format("{} [{:=<{}}{: <{}}] {:3} %", title, "", filled, "", width - filled,

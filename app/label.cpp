@@ -166,40 +166,87 @@ FileReport label_in_one_pass(const LabelJob& job) {
                      job.command.label.boundary_weight);
 }
 
+std::vector<std::uint8_t> is_surface(const std::vector<double>& lambda) {
+    std::vector<std::uint8_t> surface(lambda.size());
+    std::transform(lambda.begin(), lambda.end(), surface.begin(), [](double one) {
+        return static_cast<std::uint8_t>(one > zero_uncovered_fraction);
+    });
+    return surface;
+}
+
+/// Rows of an array that labelling adds, as the frame's empty array has them; nothing where it is
+/// one of the input's own.
+std::optional<ArrayValues> label_values(const PointArray& array, const RowResults& rows,
+                                        std::uint64_t first, std::uint64_t count,
+                                        const LabelOptions& options) {
+    const auto column = [&](std::size_t number) { return rows.column(number, first, count); };
+    if (array.name == "uncovered_fraction")
+        return column(lambda_column);
+    if (array.name == "surface")
+        return stored_classes(is_surface(column(lambda_column)));
+    if (array.name == "valid")
+        return stored_classes(rows.was_added(first, count));
+    if (array.name == "mass_offset")
+        return column(mass_offset_column);
+    if (array.name == "neighbor_count") {
+        std::vector<double> counts = column(count_column);
+        if (std::holds_alternative<std::vector<std::uint32_t>>(array.values))
+            return std::vector<std::uint32_t>(counts.begin(), counts.end());
+        return counts;
+    }
+    for (std::size_t f = 0; f < options.features.size(); ++f)
+        if (array.name == feature_list[options.features[f]].name)
+            return column(label_columns + f);
+    return std::nullopt;
+}
+
+/// Writes what was found; returns the bytes that this rank sent.
+std::uint64_t write_labels(const LargeState& large, const LabelsInFile& labels,
+                           const LabelOptions& options, const Path& output, Ranks& ranks) {
+    Snapshot frame = large.state.frame;
+    const SupportRadii radius = *frame.support_radius;
+    Labels none;
+    none.features.resize(options.features.size());
+    none.spacing_ratio = labels.spacing_ratio;
+    add_labels(frame, none, radius, options);
+    return write_large(
+        large, frame,
+        [&](const PointArray& array, std::uint64_t first, std::uint64_t count) {
+            return label_values(array, *labels.rows, first, count, options);
+        },
+        output, ranks);
+}
+
 FileReport label_large(const LabelJob& job, LargeState large, Ranks& ranks) {
+    set_periodic(large, job.command.input, ranks);
     note_origin(job, large.state.frame);
-    const SlabOptions slabs = {job.memory, job.command.files.folder, default_label_threshold};
+    const SlabOptions slabs = {job.memory, job.command.files.folder};
     ProgressBar bar(job.output.filename().string(),
                     large.state.size / static_cast<std::uint64_t>(ranks.size()),
                     job.is_quiet || ranks.rank() > 0);
-    const LabelsInFile labels =
-        label_in_slabs(large.state, with_progress(job.options, bar), slabs, ranks);
-    do_together(ranks, [&] {
-        if (ranks.rank() == 0)
-            write_large(large, labels, job.command.label, job.output);
-    });
+    const LabelsInFile labels = label_in_slabs(large.state, with_progress(job.options, bar), slabs,
+                                               default_label_threshold, ranks);
+    const std::uint64_t sent =
+        write_labels(large, labels, job.command.label, job.output, ranks) + labels.bytes_sent;
     FileReport report =
         report_of(job.output, large.state.frame, summary_of(job.output, large.state, labels),
                   job.command.label.boundary_weight);
-    std::vector<std::uint64_t> halo = {labels.halo, labels.bytes_exchanged};
-    ranks.sum(halo);
-    std::vector<double> peak = {static_cast<double>(peak_memory())};
-    ranks.max(peak);
-    report.text += fmt::format(
-        "    in {} slabs; {} particles twice, as neighbors of others; at most {:.0f} MiB of memory",
-        labels.slabs, halo[0], peak[0] / 0x1p20);
-    if (ranks.size() > 1)
-        report.text += fmt::format("; {} ranks exchanged {:.1f} MiB", ranks.size(),
-                                   static_cast<double>(halo[1]) / 0x1p20);
-    report.text += "\n";
+    report.text += slab_line({labels.slabs, labels.halo, sent}, ranks);
     return report;
 }
 
 /// A file that is worked on beside others, with one thread, gets its share of the memory.
 LargeStateOptions memory_options(const LabelCommand& command, int threads) {
     const int beside = threads == 1 ? thread_count(command.label.threads) : 1;
-    return {command.memory / static_cast<std::uint64_t>(beside), command.input,
-            command.no_boundary};
+    return {"label", command.memory / static_cast<std::uint64_t>(beside), command.input,
+            command.no_boundary, ""};
+}
+
+std::optional<LargeState> large_to_label(const Path& input, const Boundary& boundary,
+                                         const LabelCommand& command, int threads) {
+    return large_state(
+        input, boundary, memory_options(command, threads),
+        [&](const Snapshot& outline) { return memory_in_one_pass(outline, command.label); });
 }
 
 /// Labels one of the command's files, which are files and no patterns any more; a state that is too
@@ -216,7 +263,7 @@ FileReport label_file(const Path& input, const Path& output, const Boundary& bou
         if (is_done)
             return;
         earlier = earlier_output(output, "uncovered_fraction");
-        large = large_state(input, boundary, memory_options(command, threads), command.label);
+        large = large_to_label(input, boundary, command, threads);
     });
     if (is_done)
         return {{}, printable(output.string()) + ": up to date\n", true, {}};
@@ -267,8 +314,7 @@ std::vector<Path> run_label(const LabelCommand& asked) {
         });
     };
     batch.is_shared = [&](std::size_t f) {
-        return large_state(files.inputs[f], boundary, memory_options(command, 0), command.label)
-            .has_value();
+        return large_to_label(files.inputs[f], boundary, command, 0).has_value();
     };
     batch.work_together = [&](std::size_t f) {
         return label_one(f, command.label.threads, ranks_of_program());

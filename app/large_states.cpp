@@ -5,10 +5,12 @@
 #include <meniscus/data/particles/known_names.hpp>
 #include <meniscus/data/particles/particle_arrays.hpp>
 #include <meniscus/data/particles/periodic_copies.hpp>
+#include <meniscus/data/slabs/process_memory.hpp>
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/text.hpp>
 
 #include <algorithm>
+#include <cstring>
 #include <fmt/format.h>
 
 namespace meniscus {
@@ -26,10 +28,11 @@ std::string mebibytes(std::uint64_t bytes) {
     return fmt::format("{} MiB", (bytes >> 20) + 1);
 }
 
-[[noreturn]] void refuse(const Path& file, std::uint64_t needed, const std::string& why) {
-    throw InputError(fmt::format("{}: takes about {} to label, more than --memory allows, and "
+[[noreturn]] void refuse(const Path& file, const std::string& verb, std::uint64_t needed,
+                         const std::string& why) {
+    throw InputError(fmt::format("{}: takes about {} to {}, more than --memory allows, and "
                                  "cannot be read in parts: {}",
-                                 file.string(), mebibytes(needed), why));
+                                 file.string(), mebibytes(needed), verb, why));
 }
 
 bool has_same_names(const Snapshot& outline) {
@@ -43,7 +46,11 @@ bool has_same_names(const Snapshot& outline) {
 }
 
 /// What keeps a state from being read in rows; empty: nothing.
-std::string obstacle(const Snapshot& outline, const InputOptions& options, bool has_boundary_file) {
+std::string obstacle(const Snapshot& outline, const LargeStateOptions& large,
+                     bool has_boundary_file) {
+    const InputOptions& options = large.input;
+    if (!large.obstacle.empty())
+        return large.obstacle;
     const auto has_name = [](const PointArray& array) { return lowered(array.name) == "type"; };
     if (!options.fluid.empty() || !options.walls.empty() || !options.ignored.empty() ||
         std::any_of(outline.point_data.begin(), outline.point_data.end(), has_name))
@@ -56,8 +63,9 @@ std::string obstacle(const Snapshot& outline, const InputOptions& options, bool 
         return "--dimension is not what it says";
     if (outline.dimension == 2 && has_boundary_file)
         return "its plane must be known for --boundary";
-    if (!options.periodic.empty() || outline.provenance.count("periodic") > 0)
-        return "it is periodic";
+    if ((!options.periodic.empty() || outline.provenance.count("periodic") > 0) &&
+        find_array(outline, "phase") != nullptr)
+        return "it is periodic and has phases";
     if (!outline.support_radius && !options.support_radius && !options.particle_radius)
         return "it has no support radius for all of its particles; give one by --support-radius";
     return {};
@@ -91,27 +99,21 @@ ArrayValues read_values(const Path& file, const PointArray& array, std::uint64_t
     return std::move(values);
 }
 
-/// Rows of an array that labelling adds, as the frame's empty array has them; nothing where it is
-/// one of the input's own.
-std::optional<ArrayValues> label_values(const PointArray& array, const Labels& rows,
-                                        const LabelOptions& options) {
-    if (array.name == "uncovered_fraction")
-        return rows.uncovered_fraction;
-    if (array.name == "surface")
-        return stored_classes(rows.surface);
-    if (array.name == "valid")
-        return stored_classes(rows.valid);
-    if (array.name == "mass_offset")
-        return rows.mass_offset;
-    if (array.name == "neighbor_count" &&
-        std::holds_alternative<std::vector<std::uint32_t>>(array.values))
-        return std::vector<std::uint32_t>(rows.neighbor_count.begin(), rows.neighbor_count.end());
-    if (array.name == "neighbor_count")
-        return rows.neighbor_count;
-    for (std::size_t f = 0; f < options.features.size(); ++f)
-        if (array.name == feature_list[options.features[f]].name)
-            return rows.features[f];
-    return std::nullopt;
+/// Writes a file that each rank has its share of. Returns the bytes that this one sent.
+std::uint64_t write_together(const FetchedSnapshot& fetched, const Path& output, Ranks& ranks) {
+    if (ranks.size() == 1) {
+        const WriteGuard guard;
+        write_vtkhdf(fetched, output);
+        return 0;
+    }
+    const PackedDatasets packed = pack_vtkhdf(fetched, output.parent_path(), ranks);
+    do_together(ranks, [&] {
+        if (ranks.rank() > 0)
+            return;
+        const WriteGuard guard;
+        write_vtkhdf(fetched, packed, output);
+    });
+    return packed.bytes_sent();
 }
 
 } // namespace
@@ -124,26 +126,28 @@ void add_memory_option(CLI::App& verb, std::uint64_t& memory, const std::string&
 }
 
 std::optional<LargeState> large_state(const Path& input, const Boundary& boundary,
-                                      const LargeStateOptions& options, const LabelOptions& label) {
+                                      const LargeStateOptions& options,
+                                      const MemoryInOnePass& needed_by) {
     if (options.memory == 0)
         return {};
     if (!is_vtkhdf(input)) {
         const std::uint64_t needed =
             bytes_a_byte * std::filesystem::file_size(input) + own_memory();
         if (needed > options.memory)
-            refuse(input, needed, "that is only for the project's own files");
+            refuse(input, options.verb, needed, "that is only for the project's own files");
         return {};
     }
     LargeState large{input, {}};
     Snapshot& frame = large.state.frame;
     frame = read_vtkhdf_outline(input);
-    const std::uint64_t needed =
-        memory_in_one_pass(frame, label) + own_memory() + 76 * boundary.positions.size();
+    if (options.input.particle_spacing) // for what is made of it
+        frame.particle_spacing = options.input.particle_spacing;
+    const std::uint64_t needed = needed_by(frame) + own_memory() + 76 * boundary.positions.size();
     if (needed <= options.memory)
         return {};
-    const std::string why = obstacle(frame, options.input, !boundary.positions.empty());
+    const std::string why = obstacle(frame, options, !boundary.positions.empty());
     if (!why.empty())
-        refuse(input, needed, why);
+        refuse(input, options.verb, needed, why);
     complete(frame, input, boundary, options);
     large.state.size = frame.particles_in_file;
     large.state.read = [input](std::uint64_t first, std::uint64_t count,
@@ -153,27 +157,66 @@ std::optional<LargeState> large_state(const Path& input, const Boundary& boundar
     return large;
 }
 
-void write_large(const LargeState& large, const LabelsInFile& labels, const LabelOptions& options,
-                 const Path& output) {
+void set_periodic(LargeState& large, const InputOptions& options, Ranks& ranks) {
+    Snapshot& frame = large.state.frame;
+    const auto stored = frame.provenance.find("periodic");
+    const std::string text = !options.periodic.empty()          ? options.periodic
+                             : stored != frame.provenance.end() ? stored->second
+                                                                : "";
+    if (text.empty())
+        return;
+    std::string near;
+    do_together(ranks, [&] {
+        constexpr std::uint64_t at_once = 1 << 17;
+        const PeriodicBox box = periodic_box(text);
+        const std::uint64_t end = first_of_share(large.state.size, ranks.rank() + 1, ranks.size());
+        for (std::uint64_t first = first_of_share(large.state.size, ranks.rank(), ranks.size());
+             first < end; first += at_once) {
+            const Positions rows =
+                read_rows(large.file, first, std::min(at_once, end - first), {}).positions;
+            const auto chosen = near_periodic_sides(rows, first, frame, box, *frame.support_radius);
+            for (std::size_t i = 0; i < rows.size(); ++i)
+                if (chosen[i] != 0)
+                    near.append(reinterpret_cast<const char*>(&rows[i]), sizeof rows[i]);
+        }
+    });
+    frame.positions.clear();
+    for (const std::string& bytes : gather(ranks, near))
+        for (std::size_t at = 0; at < bytes.size(); at += sizeof frame.positions[0])
+            std::memcpy(&frame.positions.emplace_back(), &bytes[at], sizeof frame.positions[0]);
+    do_together(ranks, [&] { set_periodic(frame, options); });
+    frame.positions = Positions();
+}
+
+std::uint64_t write_large(const LargeState& large, const Snapshot& frame, const FoundValues& found,
+                          const Path& output, Ranks& ranks) {
     FetchedSnapshot fetched;
-    fetched.frame = large.state.frame;
+    fetched.frame = frame;
     fetched.size = large.state.size;
-    const SupportRadii radius = *fetched.frame.support_radius;
-    Labels none;
-    none.features.resize(options.features.size());
-    none.spacing_ratio = labels.spacing_ratio;
-    add_labels(fetched.frame, none, radius, options);
     fetched.positions = [&](std::uint64_t first, std::uint64_t count) {
         return read_rows(large.file, first, count, {}).positions;
     };
     fetched.values = [&](std::size_t place, std::uint64_t first, std::uint64_t count) {
         const PointArray& array = fetched.frame.point_data[place];
-        if (auto found = label_values(array, labels.rows(first, count), options))
-            return std::move(*found);
+        if (auto values = found(array, first, count))
+            return std::move(*values);
         return read_values(large.file, array, first, count);
     };
-    const WriteGuard guard;
-    write_vtkhdf(fetched, output);
+    return write_together(fetched, output, ranks);
+}
+
+std::string slab_line(const SlabFigures& figures, Ranks& ranks) {
+    std::vector<std::uint64_t> sums = {figures.halo, figures.sent};
+    ranks.sum(sums);
+    std::vector<double> peak = {static_cast<double>(peak_memory())};
+    ranks.max(peak);
+    std::string line = fmt::format(
+        "    in {} slabs; {} particles twice, as neighbors of others; at most {:.0f} MiB of memory",
+        figures.slabs, sums[0], peak[0] / 0x1p20);
+    if (ranks.size() > 1)
+        line += fmt::format("; {} ranks exchanged {:.1f} MiB", ranks.size(),
+                            static_cast<double>(sums[1]) / 0x1p20);
+    return line + "\n";
 }
 
 } // namespace meniscus

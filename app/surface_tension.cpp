@@ -150,14 +150,19 @@ void set_results(Snapshot& snapshot, const SurfaceStepResults& found) {
     set_array(snapshot, {"runtime_force", 3, spread(found, found.force, dimension)});
 }
 
-std::string words_for(const SurfaceStepResults& found, const SurfaceTensionOptions& options) {
-    const auto surface = std::count(found.surface_class, found.surface_class + found.slots,
-                                    static_cast<std::uint8_t>(SurfaceClass::surface));
+std::string words_for(const SurfaceCounts& found, const SurfaceTensionOptions& options) {
     const bool complete =
         options.coverage == CoverageMethod::exact || options.verification == Verification::exact;
-    return fmt::format("{} candidates of the line, {} of them surface, {}", found.slots, surface,
+    return fmt::format("{} candidates of the line, {} of them surface, {}", found.candidates,
+                       found.surface,
                        complete ? "by an exact check that drops no surface particle"
                                 : "those without an open sample dropped");
+}
+
+SurfaceCounts counts_of(const SurfaceStepResults& found) {
+    return {found.slots, static_cast<std::uint64_t>(
+                             std::count(found.surface_class, found.surface_class + found.slots,
+                                        static_cast<std::uint8_t>(SurfaceClass::surface)))};
 }
 
 std::unique_ptr<SurfaceStep> make_step(const SurfaceTensionOptions& options, int dimension,
@@ -167,6 +172,17 @@ std::unique_ptr<SurfaceStep> make_step(const SurfaceTensionOptions& options, int
     } catch (const std::invalid_argument& error) {
         throw InputError(error.what());
     }
+}
+
+/// What model and state decide.
+void set_by_model(SurfaceTensionOptions& options, const Model& model, double spacing_ratio) {
+    options.radius_ratio = model.radius_ratio;
+    options.boundary_weight = model.boundary_weight;
+    // Both lines have been applied: the step is not to add the second one of those that ship.
+    options.k = model.line.k;
+    options.d = model.line.d;
+    options.second_line = {};
+    options.spacing_ratio = spacing_ratio;
 }
 
 } // namespace
@@ -238,32 +254,37 @@ SurfaceTensionOptions surface_options(const SurfaceChoices& choices) {
     return options;
 }
 
-SurfaceReport add_surface(Snapshot& snapshot, const Classes& classes, const Model& model,
-                          SurfaceTensionOptions options, bool balanced, int threads) {
-    const SupportRadii& radii = classes.neighborhoods.radii;
-    options.radius_ratio = model.radius_ratio;
-    options.boundary_weight = model.boundary_weight;
-    // Both lines have been applied: the step is not to add the second one of those that ship.
-    options.k = model.line.k;
-    options.d = model.line.d;
-    options.second_line = {};
-    options.spacing_ratio = classes.neighborhoods.spacing_ratio;
-    const auto boundary = find_boundary_neighbors(snapshot, radii, classes.valid, threads);
+SurfaceReport note_surface(Snapshot& snapshot, const SurfaceCounts& found, const Model& model,
+                           SurfaceTensionOptions options, double spacing_ratio, bool balanced) {
+    set_by_model(options, model, spacing_ratio);
+    set_provenance(snapshot, options, balanced);
+    return {words_for(found, options),
+            fmt::format("    h is {:.2f} spacings of particles at rest{}\n", options.spacing_ratio,
+                        snapshot.particle_volume && snapshot.support_radius
+                            ? ""
+                            : ", as measured; --particle-volume gives another")};
+}
+
+SurfaceCounts find_surface(Snapshot& snapshot, const Classes& classes, const Model& model,
+                           SurfaceTensionOptions options, bool balanced, int threads) {
+    set_by_model(options, model, classes.neighborhoods.spacing_ratio);
+    const auto boundary =
+        find_boundary_neighbors(snapshot, classes.neighborhoods.radii, classes.valid, threads);
     const auto ids = sampling_ids(snapshot, classes.valid);
     const auto particles = step_particles(snapshot, classes, boundary, ids);
     const auto step = make_step(options, snapshot.dimension, threads);
     step->step(particles);
     if (balanced)
         step->balance_momentum(particles);
-    SurfaceReport report = {words_for(step->results(), options), ""};
     set_results(snapshot, step->results());
-    set_provenance(snapshot, options, balanced);
-    report.note =
-        fmt::format("    h is {:.2f} spacings of particles at rest{}\n", options.spacing_ratio,
-                    snapshot.particle_volume && !radii.vary()
-                        ? ""
-                        : ", as measured; --particle-volume gives another");
-    return report;
+    return counts_of(step->results());
+}
+
+SurfaceReport add_surface(Snapshot& snapshot, const Classes& classes, const Model& model,
+                          const SurfaceTensionOptions& options, bool balanced, int threads) {
+    const SurfaceCounts found = find_surface(snapshot, classes, model, options, balanced, threads);
+    return note_surface(snapshot, found, model, options, classes.neighborhoods.spacing_ratio,
+                        balanced);
 }
 
 } // namespace meniscus

@@ -41,14 +41,26 @@ struct SurfaceReport {
     std::string note; ///< a line, or empty
 };
 
+struct SurfaceCounts {
+    std::uint64_t candidates = 0;
+    std::uint64_t surface = 0; ///< of these
+};
+
 /// Adds the arrays of the runtime (surface_class, runtime_*; docs/file_formats.md) to a snapshot
-/// that was classified into `classes` by `model`, and says in its provenance how they were made.
-/// The line's candidates are those of `classes`; model and snapshot give radius_ratio and
-/// spacing_ratio of the options. Boundary particles cover. `balanced`: bodies that touch none of
-/// them have no net force and torque. `threads` 0 takes all cores; no bit depends on it. Throws
-/// InputError where the boundary or the array `id` cannot be used, or the model's radius ratio
-/// is 1.
+/// that was classified into `classes` by `model`. The line's candidates are those of `classes`;
+/// model and classes give radius_ratio and spacing_ratio of the options. Boundary particles cover.
+/// `balanced`: bodies that touch none of them have no net force and torque. `threads` 0 takes all
+/// cores; no bit depends on it. Throws InputError where the boundary or the array `id` cannot be
+/// used, or the model's radius ratio is 1.
+SurfaceCounts find_surface(Snapshot& snapshot, const Classes& classes, const Model& model,
+                           SurfaceTensionOptions options, bool balanced, int threads);
+
+/// Says in a snapshot's provenance how these arrays were made, and what there is to say of them.
+SurfaceReport note_surface(Snapshot& snapshot, const SurfaceCounts& found, const Model& model,
+                           SurfaceTensionOptions options, double spacing_ratio, bool balanced);
+
+/// Both.
 SurfaceReport add_surface(Snapshot& snapshot, const Classes& classes, const Model& model,
-                          SurfaceTensionOptions options, bool balanced, int threads);
+                          const SurfaceTensionOptions& options, bool balanced, int threads);
 
 } // namespace meniscus

@@ -8,7 +8,8 @@ install(TARGETS meniscus_runtime EXPORT meniscus_targets)
 set(MENISCUS_COMPONENTS runtime)
 
 if(NOT MENISCUS_RUNTIME_ONLY)
-    meniscus_install_headers(data/clouds data/formats data/particles data/text labeler)
+    meniscus_install_headers(data/clouds data/formats data/particles data/ranks data/slabs data/text
+        labeler)
     install(FILES ${PROJECT_SOURCE_DIR}/bindings/c/meniscus.h
         ${PROJECT_SOURCE_DIR}/bindings/fortran/meniscus.f90
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/meniscus)

@@ -15,8 +15,10 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 namespace meniscus {
 namespace {
@@ -48,6 +50,7 @@ struct Work {
     std::optional<PreparedBoundary> own_boundary;
     const PreparedBoundary* boundary = nullptr; ///< where there is one
     double spacing_ratio = 0;                   ///< measured_spacing_ratio()
+    bool sums_kernels = false;                  ///< to measure it
     double boundary_share = 0;                  ///< of its weights
     LabelMethod method = LabelMethod::exact;
     std::vector<std::size_t> features; ///< beside the paper's
@@ -107,7 +110,13 @@ void prepare_work(Work& work, const Snapshot& snapshot, const SupportRadii& radi
     check_options(options);
     work.valid = checked_positions(snapshot, radii, options.skip_invalid);
     set_common(work, snapshot, radii, options);
-    work.spacing_ratio = measured_spacing_ratio(snapshot, work.radii, work.valid, options.threads);
+    if (const auto stored = stored_spacing_ratio(snapshot, work.radii))
+        work.spacing_ratio = *stored;
+    else if (is_spacing_needed_first(snapshot, options))
+        work.spacing_ratio =
+            measured_spacing_ratio(snapshot, work.radii, work.valid, options.threads);
+    else
+        work.sums_kernels = true;
     const auto phases = integer_values(snapshot, "phase", work.valid);
     work.grid.emplace(snapshot.positions, work.radii,
                       NeighborFilter{&work.valid, phases.empty() ? nullptr : &phases},
@@ -126,6 +135,7 @@ void prepare_work(Work& work, const Snapshot& snapshot, const StatePart& part, d
     work.valid.assign(snapshot.size(), 1);
     set_common(work, snapshot, radius, options);
     work.spacing_ratio = part.spacing_ratio;
+    work.sums_kernels = part.wants_kernel_sums;
     const auto phases = integer_values(snapshot, "phase", work.valid);
     work.grid.emplace(snapshot.positions, part.layout,
                       NeighborFilter{&work.valid, phases.empty() ? nullptr : &phases},
@@ -191,6 +201,8 @@ void gather(const Work& work, std::size_t place, std::size_t i, const Direction&
             workspace.caps.displacements.push_back(scaled);
     };
     work.grid->find(place, found);
+    if (work.sums_kernels)
+        labels.kernel_sums[i] = kernel_sum(found, i, work.radii, Dimension, true);
     for (std::size_t n = 0; n < found.size(); ++n) {
         const Direction& displacement = found.displacements[n];
         const std::size_t j = found.particles[n];
@@ -325,10 +337,28 @@ Labels empty_labels(const Work& work, std::size_t count) {
     labels.mass_offset.assign(count, 0);
     labels.neighbor_count.assign(count, 0);
     labels.features.assign(work.features.size(), std::vector<double>(count, 0));
+    if (work.sums_kernels)
+        labels.kernel_sums.assign(count, std::numeric_limits<double>::quiet_NaN());
     return labels;
 }
 
+/// By the sums of all particles or, where all of them are in crowds, with these.
+double spacing_by_sums(const Work& work, const Snapshot& snapshot, std::vector<double> sums,
+                       const LabelOptions& options) {
+    if (const auto ratio = spacing_ratio_of_sums(std::move(sums), snapshot, work.radii))
+        return *ratio;
+    return spacing_ratio_of_sums(
+               kernel_sums(*work.grid, work.radii, work.dimension, options.threads, false),
+               snapshot, work.radii)
+        .value_or(1);
+}
+
 } // namespace
+
+bool is_spacing_needed_first(const Snapshot& outline, const LabelOptions& options) {
+    return find_array(outline, "phase") != nullptr ||
+           (!outline.boundary.empty() && options.boundary_weight > 0);
+}
 
 PreparedBoundary prepared_boundary(const Snapshot& snapshot, const SupportRadii& radii,
                                    const std::vector<std::uint8_t>& valid, double spacing_ratio,
@@ -354,6 +384,9 @@ Labels label_particles(const Snapshot& snapshot, const SupportRadii& radii,
                           for (std::size_t place = begin; place < end; ++place)
                               label_particle(work, snapshot, place, workspace, labels);
                       });
+    if (work.sums_kernels)
+        labels.spacing_ratio =
+            spacing_by_sums(work, snapshot, std::exchange(labels.kernel_sums, {}), options);
     return labels;
 }
 

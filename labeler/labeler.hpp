@@ -8,6 +8,7 @@
 #include <meniscus/data/particles/particle_volumes.hpp>
 #include <meniscus/data/particles/snapshot.hpp>
 #include <meniscus/data/particles/support_radii.hpp>
+#include <meniscus/data/slabs/part_of_state.hpp>
 #include <meniscus/runtime/coverage/exact_coverage.hpp>
 #include <meniscus/runtime/features/list.hpp>
 
@@ -48,6 +49,7 @@ struct Labels {
     std::vector<double> neighbor_count; ///< feature y; whole unless radii vary or a boundary counts
     std::vector<std::vector<double>> features; ///< of LabelOptions::features
     double spacing_ratio = 1; ///< measured_spacing_ratio() (data/particles/particle_volumes.hpp)
+    std::vector<double> kernel_sums;   ///< that it comes from, where StatePart asks for them
     std::vector<std::string> warnings; ///< one line each, for standard error
 };
 
@@ -77,14 +79,16 @@ PreparedBoundary prepared_boundary(const Snapshot& snapshot, const SupportRadii&
                                    const std::vector<std::uint8_t>& valid, double spacing_ratio,
                                    const LabelOptions& options);
 
+/// Whether labels depend on the spacing ratio, or on neighbors that a kernel sum leaves out, so
+/// that it must be known before; else it is measured as particles are labelled, by the same search.
+bool is_spacing_needed_first(const Snapshot& outline, const LabelOptions& options);
+
 /// What a part of a state takes over from the whole, which has one support radius, so that its
 /// particles get the labels that they have there.
-struct StatePart {
-    GridLayout layout;
+struct StatePart : PartOfState {
     double spacing_ratio = 1;                   ///< measured_spacing_ratio() of the whole
     const PreparedBoundary* boundary = nullptr; ///< where there is one
-    std::vector<std::uint8_t> own;              ///< 0: is there for its neighbors alone
-    std::vector<std::uint64_t> numbers;         ///< of the particles in the whole, ascending
+    bool wants_kernel_sums = false;             ///< in Labels
 };
 
 /// Labels the own particles of a part, which must be valid and have around them all that are closer

@@ -166,23 +166,42 @@ NeighborLists find_boundary_neighbors(const Snapshot& snapshot, const SupportRad
     return lists;
 }
 
-Neighborhoods find_neighborhoods(const Snapshot& snapshot, const SupportRadii& radii,
-                                 const std::vector<std::uint8_t>& valid, double boundary_weight,
-                                 int threads) {
-    const auto phases = integer_values(snapshot, "phase", valid);
+namespace {
+
+/// All but the lists and what goes with the boundary.
+Neighborhoods without_lists(const Snapshot& snapshot, const SupportRadii& radii,
+                            const std::vector<std::uint8_t>& valid) {
     Neighborhoods result;
     result.masses = checked_masses(snapshot, valid);
     result.radii = radii;
     result.valid = valid;
-    result.lists =
-        find_neighbors(snapshot.positions, radii,
-                       {&valid, phases.empty() ? nullptr : &phases, usual_max_crowd}, threads);
+    return result;
+}
+
+void add_boundary(const Snapshot& snapshot, double boundary_weight, int threads,
+                  Neighborhoods& result) {
+    if (!(boundary_weight > 0) || snapshot.boundary.empty())
+        return;
+    result.boundary_lists = find_boundary_neighbors(snapshot, result.radii, result.valid, threads);
+    result.boundary_weights =
+        boundary_weights(snapshot, result.radii, result.valid, result.spacing_ratio, threads);
+}
+
+NeighborFilter filter_of(const std::vector<std::uint8_t>& valid,
+                         const std::vector<std::int64_t>& phases) {
+    return {&valid, phases.empty() ? nullptr : &phases, usual_max_crowd};
+}
+
+} // namespace
+
+Neighborhoods find_neighborhoods(const Snapshot& snapshot, const SupportRadii& radii,
+                                 const std::vector<std::uint8_t>& valid, double boundary_weight,
+                                 int threads) {
+    const auto phases = integer_values(snapshot, "phase", valid);
+    Neighborhoods result = without_lists(snapshot, radii, valid);
+    result.lists = find_neighbors(snapshot.positions, radii, filter_of(valid, phases), threads);
     result.spacing_ratio = measured_spacing_ratio(snapshot, radii, valid, threads);
-    if (boundary_weight > 0 && !snapshot.boundary.empty()) {
-        result.boundary_lists = find_boundary_neighbors(snapshot, radii, valid, threads);
-        result.boundary_weights =
-            boundary_weights(snapshot, radii, valid, result.spacing_ratio, threads);
-    }
+    add_boundary(snapshot, boundary_weight, threads, result);
     return result;
 }
 
@@ -208,15 +227,37 @@ Classes classify_snapshot(const Snapshot& snapshot, const Model& model,
             classes.surface[i] = 0;
     if (auto doubt = doubtful_positions(snapshot, radii, classes.valid); !doubt.empty())
         classes.warnings.push_back(std::move(doubt));
-    const double ratio = classes.neighborhoods.spacing_ratio;
-    ModelUse use{"", ratio, interior_neighbor_count(classes)};
+    std::string warning =
+        range_warning(model, classes.neighborhoods.spacing_ratio, interior_neighbor_count(classes));
+    if (!warning.empty())
+        classes.warnings.push_back(std::move(warning));
+    return classes;
+}
+
+Classes classify_part(const Snapshot& snapshot, const PartOfState& part, const Model& model,
+                      double spacing_ratio, int threads) {
+    Classes classes;
+    classes.valid.assign(snapshot.size(), 1);
+    const auto phases = integer_values(snapshot, "phase", classes.valid);
+    Neighborhoods& neighborhoods = classes.neighborhoods;
+    neighborhoods = without_lists(snapshot, part.layout.radius, classes.valid);
+    neighborhoods.lists =
+        find_neighbors(snapshot.positions, part.layout, filter_of(classes.valid, phases), threads);
+    neighborhoods.spacing_ratio = spacing_ratio;
+    add_boundary(snapshot, model.boundary_weight, threads, neighborhoods);
+    auto predictions = predict(model, snapshot, neighborhoods, Precision::float64);
+    classes.surface = std::move(predictions.surface);
+    classes.neighbor_count = std::move(predictions.neighbor_count);
+    return classes;
+}
+
+std::string range_warning(const Model& model, double spacing_ratio,
+                          std::optional<double> interior_neighbor_count) {
+    ModelUse use{"", spacing_ratio, interior_neighbor_count};
     if (use.bulk_neighbor_count && model.reference_spacing_ratio > 0)
         *use.bulk_neighbor_count *=
-            std::pow(model.reference_spacing_ratio / ratio, model.dimension);
-    const std::string warning = outside_trained_range(model, {use});
-    if (!warning.empty())
-        classes.warnings.push_back(warning);
-    return classes;
+            std::pow(model.reference_spacing_ratio / spacing_ratio, model.dimension);
+    return outside_trained_range(model, {use});
 }
 
 } // namespace meniscus

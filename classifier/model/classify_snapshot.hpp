@@ -7,8 +7,10 @@
 #include <meniscus/data/particles/neighbor_search.hpp>
 #include <meniscus/data/particles/particle_volumes.hpp>
 #include <meniscus/data/particles/snapshot.hpp>
+#include <meniscus/data/slabs/part_of_state.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -73,5 +75,16 @@ struct Classes {
 /// skip_invalid, and as find_neighborhoods does.
 Classes classify_snapshot(const Snapshot& snapshot, const Model& model,
                           const ClassifyOptions& options);
+
+/// What classify_snapshot finds for the particles of a part of a state, of which the whole has that
+/// spacing ratio, without warnings. It is right for the own ones and, where the part's halo is
+/// deep enough, for their neighbors.
+Classes classify_part(const Snapshot& snapshot, const PartOfState& part, const Model& model,
+                      double spacing_ratio, int threads);
+
+/// A line where a state is outside what a model was trained for, by its spacing ratio and the
+/// median neighbor count of its particles that are no candidates; else empty.
+std::string range_warning(const Model& model, double spacing_ratio,
+                          std::optional<double> interior_neighbor_count);
 
 } // namespace meniscus

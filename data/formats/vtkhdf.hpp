@@ -3,8 +3,12 @@
 // lies in the group /meniscus. The layout is described in docs/file_formats.md.
 #pragma once
 
-#include <meniscus/data/particles/snapshot.hpp>
+#include "packed_datasets.hpp"
 
+#include <meniscus/data/particles/snapshot.hpp>
+#include <meniscus/data/ranks/ranks.hpp>
+
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -63,5 +67,25 @@ struct FetchedSnapshot {
 /// Writes the same bytes as for the snapshot that is fetched, if that were in memory. Throws as
 /// write_vtkhdf does, and what fetching throws.
 void write_vtkhdf(const FetchedSnapshot& snapshot, const std::filesystem::path& file);
+
+/// Makes all that is large of such a file, in shares: each rank fetches the rows of its own
+/// (first_of_share, data/ranks/ranks.hpp), and beyond its last one those of a chunk that begins
+/// before, and compresses them. On the first rank all is there afterwards, in a file
+/// in the folder `scratch`. Collective; throws what fetching throws and FailureError where that
+/// folder is full, on all ranks alike.
+PackedDatasets pack_vtkhdf(const FetchedSnapshot& snapshot, const std::filesystem::path& scratch,
+                           Ranks& ranks);
+
+/// The row that no chunk reaches beyond which begins before row `end`: of an array of one
+/// component, or of vectors of double. Chunks have a megabyte at most.
+inline std::uint64_t end_of_chunks(std::uint64_t end) {
+    constexpr std::uint64_t most = std::uint64_t{1} << 20;
+    return std::max((end + most - 1) / most * most, end + most / 24);
+}
+
+/// Writes the same bytes from what was made before: of the snapshot only the frame and what is
+/// small is looked at.
+void write_vtkhdf(const FetchedSnapshot& snapshot, const PackedDatasets& packed,
+                  const std::filesystem::path& file);
 
 } // namespace meniscus

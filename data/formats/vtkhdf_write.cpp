@@ -1,9 +1,13 @@
 #include "vtkhdf.hpp"
 
+#include "detail/large_dataset.hpp"
+#include "packed_datasets.hpp"
+
 #include <meniscus/data/hdf5/descriptor_driver.hpp>
 #include <meniscus/data/hdf5/hdf5_handles.hpp>
 #include <meniscus/data/hdf5/hdf5_memory.hpp>
 #include <meniscus/data/hdf5/hdf5_turn.hpp>
+#include <meniscus/data/hdf5/packed_chunk.hpp>
 #include <meniscus/data/text/errors.hpp>
 #include <meniscus/data/text/files.hpp>
 
@@ -16,7 +20,7 @@
 #include <memory>
 #include <mutex>
 #include <new>
-#include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <unistd.h>
@@ -25,12 +29,6 @@ namespace meniscus {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Higher levels cost more time than they save space on coordinates that are all but random.
-// Chunks of at most a megabyte fit HDF5's chunk cache.
-constexpr unsigned compression_level = 1;
-constexpr hsize_t chunk_bytes = hsize_t{1} << 20;
-constexpr hsize_t min_compressed = 1024;
 
 /// The identifier of something that is made in memory, where only memory can be missing.
 Handle made(hid_t id, herr_t (*closing)(hid_t)) {
@@ -59,115 +57,113 @@ Handle make_group(hid_t parent, const char* name) {
     return made(H5Gcreate2(parent, name, H5P_DEFAULT, creation, H5P_DEFAULT), H5Gclose);
 }
 
-/// Compression for what is large enough to gain from it.
-void set_compression(hid_t creation, const Dimensions& dimensions, std::size_t number_size) {
-    const hsize_t row = std::accumulate(dimensions.begin() + 1, dimensions.end(),
-                                        hsize_t{number_size}, std::multiplies<>());
-    if (dimensions[0] * row < min_compressed)
-        return;
-    Dimensions chunk = dimensions;
-    chunk[0] = std::min(dimensions[0], std::max<hsize_t>(chunk_bytes / row, 1));
-    require(H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data()));
-    require(H5Pset_shuffle(creation));
-    require(H5Pset_deflate(creation, compression_level));
-}
-
-/// Who is inside HDF5 gives its turn to others while it fetches what it is to write.
+/// Who is inside HDF5 gives its turn to others while it makes what it is to write.
 using Turn = std::unique_lock<FairLock>;
 
-/// Values of rows from `first` on, in memory that lives until the next call.
-using FetchRows = std::function<const void*(std::uint64_t first, std::uint64_t count)>;
+/// The turn of others, until this ends, be it by an exception.
+class OthersTurn {
+public:
+    explicit OthersTurn(Turn& turn) : turn(turn) { turn.unlock(); }
+    OthersTurn(const OthersTurn&) = delete;
+    OthersTurn& operator=(const OthersTurn&) = delete;
+    ~OthersTurn() { turn.lock(); }
 
-/// Rows of values, `at_once` of which are fetched at a time.
-struct RowSource {
-    std::uint64_t at_once;
-    FetchRows fetch;
+private:
+    Turn& turn;
 };
 
-/// Rows that are in memory.
-RowSource rows_at(const void* values) {
-    return {std::numeric_limits<std::uint64_t>::max(),
-            [values](std::uint64_t /*first*/, std::uint64_t /*count*/) { return values; }};
-}
+/// The other way about, within it.
+class OwnTurn {
+public:
+    explicit OwnTurn(Turn& turn) : turn(turn) { turn.lock(); }
+    OwnTurn(const OwnTurn&) = delete;
+    OwnTurn& operator=(const OwnTurn&) = delete;
+    ~OwnTurn() { turn.unlock(); }
 
-/// As many rows as whole chunks have, so that no chunk is written twice; all where there are none.
-std::uint64_t whole_chunks(hid_t creation, const Dimensions& dimensions, std::uint64_t at_once) {
-    if (H5Pget_layout(creation) != H5D_CHUNKED)
-        return dimensions[0];
-    Dimensions chunk(dimensions.size());
-    H5Pget_chunk(creation, static_cast<int>(chunk.size()), chunk.data());
-    return std::max<std::uint64_t>(at_once / chunk[0], 1) * chunk[0];
-}
+private:
+    Turn& turn;
+};
 
-/// Fetches while others have their turn, which comes back whatever happens.
-const void* fetch_outside(Turn& turn, const RowSource& source, std::uint64_t first,
-                          std::uint64_t count) {
-    turn.unlock();
-    try {
-        const void* values = source.fetch(first, count);
-        turn.lock();
-        return values;
-    } catch (...) {
-        turn.lock();
-        throw;
-    }
-}
+/// Chunks that were made before, or nullptr.
+using Packed = const PackedDatasets*;
 
-void write_rows(hid_t dataset, hid_t creation, hid_t memory_type, const Dimensions& dimensions,
-                const RowSource& source, Turn& turn) {
-    const std::uint64_t rows = dimensions[0];
-    const std::uint64_t at_once =
-        source.at_once >= rows ? rows : whole_chunks(creation, dimensions, source.at_once);
-    for (Dimensions first(dimensions.size()); first[0] < rows; first[0] += at_once) {
-        Dimensions count = dimensions;
-        count[0] = std::min<std::uint64_t>(at_once, rows - first[0]);
-        const void* values = fetch_outside(turn, source, first[0], count[0]);
-        const Handle in_file = made(H5Dget_space(dataset), H5Sclose);
-        const Handle in_memory =
-            made(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose);
-        require(H5Sselect_hyperslab(in_file, H5S_SELECT_SET, first.data(), nullptr, count.data(),
-                                    nullptr));
-        require(H5Dwrite(dataset, memory_type, in_memory, in_file, H5P_DEFAULT, values));
-    }
-}
-
-/// A dataset without values yet, and the list that it was created by.
-std::pair<Handle, Handle> make_dataset(hid_t group, const std::string& name,
-                                       const Dimensions& dimensions, hid_t stored_type) {
+/// A dataset without values yet.
+Handle make_dataset(hid_t group, const std::string& name, const Dimensions& dimensions,
+                    hid_t stored_type, std::uint64_t rows_of_chunk) {
     const Handle space =
         made(H5Screate_simple(static_cast<int>(dimensions.size()), dimensions.data(), nullptr),
              H5Sclose);
-    Handle creation = timeless(H5P_DATASET_CREATE);
-    if (!dimensions.empty())
-        set_compression(creation, dimensions, H5Tget_size(stored_type));
-    Handle dataset = made(
+    const Handle creation = timeless(H5P_DATASET_CREATE);
+    if (rows_of_chunk > 0) {
+        Dimensions chunk = dimensions;
+        chunk[0] = rows_of_chunk;
+        require(H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data()));
+        require(H5Pset_shuffle(creation));
+        require(H5Pset_deflate(creation, compression_level));
+    }
+    return made(
         H5Dcreate2(group, name.c_str(), stored_type, space, H5P_DEFAULT, creation, H5P_DEFAULT),
         H5Dclose);
-    return {std::move(dataset), std::move(creation)};
+}
+
+void write_chunks(hid_t dataset, const LargeDataset& source, Packed packed, Turn& turn) {
+    const auto write = [&](std::uint64_t chunk, const std::string& bytes) {
+        const hsize_t place[] = {chunk * rows_a_chunk(source), 0};
+        require(H5Dwrite_chunk(dataset, H5P_DEFAULT, 0, place, bytes.size(), bytes.data()));
+    };
+    const std::uint64_t chunks = chunk_count(source);
+    if (packed != nullptr && packed->has(source.path)) {
+        for (std::uint64_t chunk = 0; chunk < chunks; ++chunk)
+            write(chunk, packed->chunk(source.path, chunk));
+        return;
+    }
+    const OthersTurn others(turn);
+    for_chunks(source, 0, chunks, [&](std::uint64_t chunk, const std::string& bytes) {
+        const OwnTurn own(turn);
+        write(chunk, bytes);
+    });
+}
+
+Dimensions dimensions_of(const LargeDataset& dataset) {
+    return dataset.components == 1
+               ? Dimensions{dataset.rows}
+               : Dimensions{dataset.rows, static_cast<hsize_t>(dataset.components)};
 }
 
 /// Writes numbers in rows.
-void write_dataset(hid_t group, const std::string& name, const Dimensions& dimensions,
-                   hid_t stored_type, hid_t memory_type, const RowSource& source, Turn& turn) {
-    const auto [dataset, creation] = make_dataset(group, name, dimensions, stored_type);
-    write_rows(dataset, creation, memory_type, dimensions, source, turn);
+void write_dataset(hid_t group, const std::string& name, hid_t type, const LargeDataset& source,
+                   Packed packed, Turn& turn) {
+    const Handle dataset =
+        make_dataset(group, name, dimensions_of(source), type, rows_a_chunk(source));
+    if (rows_a_chunk(source) > 0)
+        write_chunks(dataset, source, packed, turn);
+    else if (source.rows > 0)
+        require(
+            H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, source.fetch(0, source.rows)));
 }
 
-Dimensions dimensions_of(std::uint64_t rows, int components) {
-    return components == 1 ? Dimensions{rows} : Dimensions{rows, static_cast<hsize_t>(components)};
+/// Numbers in memory, `components` a row.
+template <class Number>
+LargeDataset in_memory(const Number* numbers, std::uint64_t rows, int components) {
+    LargeDataset dataset{{}, rows, components, sizeof(Number), rows, {}};
+    const std::uint64_t row = static_cast<std::uint64_t>(components);
+    dataset.fetch = [numbers, row](std::uint64_t first, std::uint64_t /*count*/) {
+        return numbers + first * row;
+    };
+    return dataset;
 }
 
 template <class Number>
 void write_numbers(hid_t group, const std::string& name, const std::vector<Number>& values,
                    Turn& turn) {
-    write_dataset(group, name, {values.size()}, number_type<Number>(), number_type<Number>(),
-                  rows_at(values.data()), turn);
+    write_dataset(group, name, number_type<Number>(), in_memory(values.data(), values.size(), 1),
+                  nullptr, turn);
 }
 
 void write_text(hid_t group, const std::string& name, std::string_view text) {
     const Handle type = text_type(text.size(), H5T_CSET_UTF8);
     const std::string padded(text.empty() ? std::string_view("\0", 1) : text);
-    const Handle dataset = make_dataset(group, name, {}, type).first;
+    const Handle dataset = make_dataset(group, name, {}, type, 0);
     require(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, padded.data()));
 }
 
@@ -195,54 +191,109 @@ auto by_stored_name(const Entries& entries, Name name_of) {
     return stored;
 }
 
-/// Numbers that follow on each other from `first` on, made as they are written.
+/// Numbers that are made as they are written.
 template <class Number>
-void write_made(hid_t group, const char* name, std::uint64_t size, Number (*value)(std::uint64_t),
-                Turn& turn) {
-    std::vector<Number> some;
-    const RowSource source = {std::uint64_t{1} << 18,
-                              [&](std::uint64_t first, std::uint64_t count) -> const void* {
-                                  some.resize(count);
-                                  for (std::uint64_t i = 0; i < count; ++i)
-                                      some[i] = value(first + i);
-                                  return some.data();
-                              }};
-    write_dataset(group, name, {size}, number_type<Number>(), number_type<Number>(), source, turn);
-}
-
-void write_vertex_cells(hid_t group, std::uint64_t size, Turn& turn) {
-    const auto itself = [](std::uint64_t i) { return static_cast<std::int64_t>(i); };
-    write_made<std::int64_t>(group, "Offsets", size + 1, itself, turn);
-    write_made<std::int64_t>(group, "Connectivity", size, itself, turn);
-    write_made<std::uint8_t>(
-        group, "Types", size, [](std::uint64_t /*i*/) { return vertex_cell; }, turn);
-    for (const char* name : {"NumberOfPoints", "NumberOfCells", "NumberOfConnectivityIds"})
-        write_numbers(group, name, std::vector<std::int64_t>{static_cast<std::int64_t>(size)},
-                      turn);
+LargeDataset made_numbers(const char* path, std::uint64_t size, Number (*value)(std::uint64_t)) {
+    LargeDataset dataset{path, size, 1, sizeof(Number), std::uint64_t{1} << 18, {}};
+    dataset.fetch = [value, some = std::vector<Number>()](std::uint64_t first,
+                                                          std::uint64_t count) mutable {
+        some.resize(count);
+        for (std::uint64_t i = 0; i < count; ++i)
+            some[i] = value(first + i);
+        return static_cast<const void*>(some.data());
+    };
+    return dataset;
 }
 
 /// What the writer takes a snapshot from: one in memory, or one that is fetched.
 struct Given {
     const Snapshot& frame;
     std::uint64_t size;
-    RowSource positions;
-    std::function<RowSource(std::size_t place)> values;
+    std::uint64_t at_once;
+    /// Positions, and values of array `place`, from `first` on, until the next call.
+    std::function<const void*(std::uint64_t first, std::uint64_t count)> positions;
+    std::function<const void*(std::size_t place, std::uint64_t first, std::uint64_t count)> values;
 };
 
-void write_point_data(hid_t parent, const Given& given, Turn& turn) {
-    const Handle group = make_group(parent, "PointData");
+/// Rounded as HDF5 does: to infinity beyond the range.
+float as_float(double number) {
+    constexpr double largest = std::numeric_limits<float>::max();
+    if (std::abs(number) > largest)
+        return number > 0 ? std::numeric_limits<float>::infinity()
+                          : -std::numeric_limits<float>::infinity();
+    return static_cast<float>(number);
+}
+
+LargeDataset points_of(const Given& given) {
+    LargeDataset points{"Points", given.size, 3, sizeof(double), given.at_once, given.positions};
+    if (given.frame.position_precision == Precision::float64)
+        return points;
+    points.number_size = sizeof(float);
+    points.at_once = std::min(points.at_once, std::uint64_t{1} << 18);
+    points.fetch = [fetch = given.positions,
+                    some = std::vector<float>()](std::uint64_t first, std::uint64_t count) mutable {
+        const auto* positions = static_cast<const double*>(fetch(first, count));
+        some.resize(3 * count);
+        std::transform(positions, positions + 3 * count, some.begin(), as_float);
+        return static_cast<const void*>(some.data());
+    };
+    return points;
+}
+
+/// A dataset of the group VTKHDF, and how it is stored.
+struct StoredDataset {
+    LargeDataset rows;
+    hid_t (*type)();
+};
+
+/// Those that grow with the number of particles and belong to no array: positions and cells, one
+/// for each particle.
+std::vector<StoredDataset> grid_datasets(const Given& given) {
+    const auto itself = [](std::uint64_t i) { return static_cast<std::int64_t>(i); };
+    const auto vertex = [](std::uint64_t /*i*/) { return vertex_cell; };
+    return {
+        {points_of(given), given.frame.position_precision == Precision::float32
+                               ? number_type<float>
+                               : number_type<double>},
+        {made_numbers<std::int64_t>("Offsets", given.size + 1, itself), number_type<std::int64_t>},
+        {made_numbers<std::int64_t>("Connectivity", given.size, itself), number_type<std::int64_t>},
+        {made_numbers<std::uint8_t>("Types", given.size, vertex), number_type<std::uint8_t>}};
+}
+
+std::vector<StoredDataset> array_datasets(const Given& given) {
     const auto& all = given.frame.point_data;
     const auto arrays = by_stored_name(all, [](const PointArray& array) { return array.name; });
-    for (const auto& [name, array] : arrays) {
-        const RowSource source = given.values(static_cast<std::size_t>(array - all.data()));
+    std::vector<StoredDataset> datasets;
+    for (const auto& [name, array] : arrays)
         std::visit(
             [&, name = name, array = array](const auto& values) {
                 using Number = typename std::decay_t<decltype(values)>::value_type;
-                write_dataset(group, name, dimensions_of(given.size, array->components),
-                              number_type<Number>(), number_type<Number>(), source, turn);
+                const auto place = static_cast<std::size_t>(array - all.data());
+                LargeDataset dataset{"PointData/" + name, given.size,    array->components,
+                                     sizeof(Number),      given.at_once, {}};
+                dataset.fetch = [fetch = given.values, place](std::uint64_t first,
+                                                              std::uint64_t count) {
+                    return fetch(place, first, count);
+                };
+                datasets.push_back({std::move(dataset), number_type<Number>});
             },
             array->values);
-    }
+    return datasets;
+}
+
+void write_grid(hid_t group, const Given& given, Packed packed, Turn& turn) {
+    for (const StoredDataset& dataset : grid_datasets(given))
+        write_dataset(group, dataset.rows.path, dataset.type(), dataset.rows, packed, turn);
+    for (const char* name : {"NumberOfPoints", "NumberOfCells", "NumberOfConnectivityIds"})
+        write_numbers(group, name, std::vector<std::int64_t>{static_cast<std::int64_t>(given.size)},
+                      turn);
+}
+
+void write_point_data(hid_t parent, const Given& given, Packed packed, Turn& turn) {
+    const Handle group = make_group(parent, "PointData");
+    for (const StoredDataset& dataset : array_datasets(given))
+        write_dataset(group, dataset.rows.path.substr(std::string("PointData/").size()),
+                      dataset.type(), dataset.rows, packed, turn);
 }
 
 void write_field_data(hid_t parent, const Snapshot& snapshot, Turn& turn) {
@@ -258,7 +309,7 @@ void write_field_data(hid_t parent, const Snapshot& snapshot, Turn& turn) {
     write_numbers(group, "dimension", std::vector<std::int32_t>{snapshot.dimension}, turn);
 }
 
-void write_for_vtk(hid_t file, const Given& given, Turn& turn) {
+void write_for_vtk(hid_t file, const Given& given, Packed packed, Turn& turn) {
     const Handle group = make_group(file, "VTKHDF");
     const std::int64_t version[] = {1, 0};
     const hsize_t two = 2;
@@ -266,12 +317,8 @@ void write_for_vtk(hid_t file, const Given& given, Turn& turn) {
                     number_type<std::int64_t>(), version);
     write_attribute(group, "Type", made(H5Screate(H5S_SCALAR), H5Sclose),
                     text_type(grid_type.size(), H5T_CSET_ASCII), grid_type.data());
-    write_dataset(group, "Points", {given.size, 3},
-                  given.frame.position_precision == Precision::float32 ? number_type<float>()
-                                                                       : number_type<double>(),
-                  number_type<double>(), given.positions, turn);
-    write_vertex_cells(group, given.size, turn);
-    write_point_data(group, given, turn);
+    write_grid(group, given, packed, turn);
+    write_point_data(group, given, packed, turn);
     make_group(group, "CellData");
     write_field_data(group, given.frame, turn);
 }
@@ -282,8 +329,9 @@ void write_for_meniscus(hid_t file, const Snapshot& snapshot, Turn& turn) {
     if (!snapshot.scene.empty())
         write_text(group, "scene", snapshot.scene);
     if (!snapshot.boundary.empty()) {
-        write_dataset(group, "boundary", {snapshot.boundary.size(), 3}, number_type<double>(),
-                      number_type<double>(), rows_at(snapshot.boundary.data()), turn);
+        write_dataset(group, "boundary", number_type<double>(),
+                      in_memory(snapshot.boundary.data()->data(), snapshot.boundary.size(), 3),
+                      nullptr, turn);
     }
     const Handle provenance = make_group(group, "provenance");
     const auto entries =
@@ -294,7 +342,7 @@ void write_for_meniscus(hid_t file, const Snapshot& snapshot, Turn& turn) {
 
 /// Fills a file with the snapshot. The bytes are those that HDF5 has flushed: closing the file
 /// would change them once more.
-void fill_file(int descriptor, const Given& given, FileBeingWritten& written) {
+void fill_file(int descriptor, const Given& given, Packed packed, FileBeingWritten& written) {
     Turn turn(hdf5_turn());
     start_hdf5();
     const QuietErrors quiet;
@@ -308,17 +356,17 @@ void fill_file(int descriptor, const Given& given, FileBeingWritten& written) {
     // Nothing reaches the file any more once this is left, be it by an exception.
     const std::unique_ptr<bool, void (*)(bool*)> finish(&written.is_finished,
                                                         [](bool* finished) { *finished = true; });
-    write_for_vtk(file, given, turn);
+    write_for_vtk(file, given, packed, turn);
     write_for_meniscus(file, given.frame, turn);
     require(H5Fflush(file, H5F_SCOPE_LOCAL));
 }
 
-void write_given(const Given& given, const fs::path& file) {
+void write_given(const Given& given, Packed packed, const fs::path& file) {
     write_whole(file, [&](int descriptor) {
         FileBeingWritten written;
         bool has_memory = true;
         try {
-            fill_file(descriptor, given, written);
+            fill_file(descriptor, given, packed, written);
         } catch (const std::bad_alloc&) {
             has_memory = false;
         }
@@ -333,10 +381,13 @@ void write_given(const Given& given, const fs::path& file) {
     });
 }
 
-/// The place in memory of an array's values.
-const void* values_at(const PointArray& array) {
-    return std::visit([](const auto& values) -> const void* { return values.data(); },
-                      array.values);
+/// The place in memory of an array's values from a row on.
+const void* values_at(const PointArray& array, std::uint64_t first) {
+    return std::visit(
+        [&](const auto& values) -> const void* {
+            return values.data() + first * static_cast<std::uint64_t>(array.components);
+        },
+        array.values);
 }
 
 /// What could not be read back is refused before it is written.
@@ -361,32 +412,77 @@ void check_consistent(const Snapshot& snapshot) {
     refuse_unless(snapshot.dimension == 2 || snapshot.dimension == 3, "dimension must be 2 or 3");
 }
 
+/// Rows of a snapshot that is in memory.
+Given given_of(const Snapshot& snapshot) {
+    return {snapshot, snapshot.size(), std::uint64_t{1} << 18,
+            [&snapshot](std::uint64_t first, std::uint64_t /*count*/) -> const void* {
+                return snapshot.positions.data() + first;
+            },
+            [&snapshot](std::size_t place, std::uint64_t first, std::uint64_t /*count*/) {
+                return values_at(snapshot.point_data[place], first);
+            }};
+}
+
+/// What was fetched last lives as long as what is returned.
+Given given_of(const FetchedSnapshot& snapshot) {
+    const auto positions = std::make_shared<Positions>();
+    const auto some = std::make_shared<PointArray>();
+    return {snapshot.frame, snapshot.size, snapshot.rows_at_once,
+            [&snapshot, positions](std::uint64_t first, std::uint64_t count) -> const void* {
+                *positions = snapshot.positions(first, count);
+                return positions->data();
+            },
+            [&snapshot, some](std::size_t place, std::uint64_t first, std::uint64_t count) {
+                some->values = snapshot.values(place, first, count);
+                return values_at(*some, 0);
+            }};
+}
+
+/// The chunks that begin in a rank's share of the rows, from the first up to the second.
+std::pair<std::uint64_t, std::uint64_t> own_chunks(const LargeDataset& dataset,
+                                                   const Ranks& ranks) {
+    const std::uint64_t rows = rows_a_chunk(dataset);
+    const auto begin_of = [&](int rank) {
+        const std::uint64_t row = first_of_share(dataset.rows, rank, ranks.size());
+        return (row + rows - 1) / rows;
+    };
+    return {begin_of(ranks.rank()), begin_of(ranks.rank() + 1)};
+}
+
 } // namespace
 
 void write_vtkhdf(const Snapshot& snapshot, const fs::path& file) {
     check_consistent(snapshot);
-    const auto values = [&](std::size_t place) {
-        return rows_at(values_at(snapshot.point_data[place]));
-    };
-    write_given({snapshot, snapshot.size(), rows_at(snapshot.positions.data()), values}, file);
+    write_given(given_of(snapshot), nullptr, file);
 }
 
 void write_vtkhdf(const FetchedSnapshot& snapshot, const fs::path& file) {
-    Positions positions;
-    PointArray some;
-    const auto fetch_positions = [&](std::uint64_t first, std::uint64_t count) -> const void* {
-        positions = snapshot.positions(first, count);
-        return positions.data();
-    };
-    const auto values = [&](std::size_t place) {
-        return RowSource{snapshot.rows_at_once,
-                         [&, place](std::uint64_t first, std::uint64_t count) -> const void* {
-                             some.values = snapshot.values(place, first, count);
-                             return values_at(some);
-                         }};
-    };
-    write_given({snapshot.frame, snapshot.size, {snapshot.rows_at_once, fetch_positions}, values},
-                file);
+    write_given(given_of(snapshot), nullptr, file);
+}
+
+PackedDatasets pack_vtkhdf(const FetchedSnapshot& snapshot, const fs::path& scratch, Ranks& ranks) {
+    std::optional<PackedDatasets> packed;
+    const Given given = given_of(snapshot);
+    do_together(ranks, [&] {
+        packed.emplace(scratch);
+        for (const auto& all : {grid_datasets(given), array_datasets(given)})
+            for (const StoredDataset& dataset : all) {
+                if (rows_a_chunk(dataset.rows) == 0)
+                    continue;
+                const auto [first, end] = own_chunks(dataset.rows, ranks);
+                for_chunks(dataset.rows, first, end,
+                           [&](std::uint64_t chunk, const std::string& bytes) {
+                               packed->add(dataset.rows.path, chunk, bytes);
+                           });
+            }
+    });
+    packed->gather_on_first(ranks);
+    return std::move(*packed);
+}
+
+void write_vtkhdf(const FetchedSnapshot& snapshot, const PackedDatasets& packed,
+                  const fs::path& file) {
+    write_given(given_of(snapshot), &packed, file);
 }
 
 } // namespace meniscus

@@ -31,6 +31,9 @@ struct NeighborGrid::Cells {
     Cell cells{1, 1, 1}; ///< how many there are along each axis
     /// Of a part of a state, the shared buckets that hold particles, sorted; else empty: all.
     std::vector<std::uint64_t> occupied;
+    /// Where to look among these: the first one whose bucket, so many bits shorter, is not less.
+    std::vector<std::uint32_t> occupied_from;
+    int occupied_shift = 0;
     std::vector<std::uint32_t> bucket_start; ///< size: buckets + 1
     std::vector<std::uint32_t> order;        ///< particle at each sorted place
     Positions positions;                     ///< sorted
@@ -163,6 +166,21 @@ void make_room(Grid& grid, const GridLayout& layout) {
     grid.bucket_start.assign((layout.direct ? cell_count(grid) : layout.bucket_mask + 1) + 1, 0);
 }
 
+/// Makes a table by which a bucket is found among the occupied ones without a search: as they are
+/// spread evenly, each entry stands for a few.
+void index_occupied(Grid& grid) {
+    while ((grid.layout.bucket_mask >> grid.occupied_shift) > grid.occupied.size())
+        ++grid.occupied_shift;
+    const std::size_t entries = (grid.layout.bucket_mask >> grid.occupied_shift) + 2;
+    grid.occupied_from.resize(entries);
+    std::size_t slot = 0;
+    for (std::size_t entry = 0; entry < entries; ++entry) {
+        while (slot < grid.occupied.size() && (grid.occupied[slot] >> grid.occupied_shift) < entry)
+            ++slot;
+        grid.occupied_from[entry] = static_cast<std::uint32_t>(slot);
+    }
+}
+
 /// Only as many as a part of the state needs: numbered otherwise, but in the same order.
 void make_room_for_part(Grid& grid, const GridLayout& layout, const Positions& positions,
                         const NeighborFilter& filter) {
@@ -187,15 +205,17 @@ void make_room_for_part(Grid& grid, const GridLayout& layout, const Positions& p
     grid.occupied.erase(std::unique(grid.occupied.begin(), grid.occupied.end()),
                         grid.occupied.end());
     grid.bucket_start.assign(grid.occupied.size() + 1, 0);
+    index_occupied(grid);
 }
 
 /// The number of buckets that hold particles and come before this one.
 std::size_t first_slot(const Grid& grid, std::uint64_t bucket) {
     if (grid.occupied.empty())
         return bucket;
-    return static_cast<std::size_t>(
-        std::lower_bound(grid.occupied.begin(), grid.occupied.end(), bucket) -
-        grid.occupied.begin());
+    std::size_t slot = grid.occupied_from[bucket >> grid.occupied_shift];
+    while (slot < grid.occupied.size() && grid.occupied[slot] < bucket)
+        ++slot;
+    return slot;
 }
 
 /// The places of all from one bucket to another.
@@ -561,32 +581,44 @@ void check_sample(const Levels& levels, std::size_t max_crowd, const SupportRadi
 
 } // namespace
 
-NeighborLists find_neighbors(const Positions& positions, const SupportRadii& radii,
-                             const NeighborFilter& filter, int threads) {
-    const NeighborGrid sorted(positions, radii, filter, threads);
+/// The lists of so many particles, those of a grid, with no more than `max_crowd` in one place.
+NeighborLists list_neighbors(const NeighborGrid& sorted, std::size_t particles,
+                             const SupportRadii& radii, std::size_t max_crowd, int threads) {
     const Levels& levels = *sorted.levels;
     NeighborLists lists;
-    check_sample(levels, filter.max_crowd, radii);
-    lists.offsets.assign(positions.size() + 1, 0);
+    check_sample(levels, max_crowd, radii);
+    lists.offsets.assign(particles + 1, 0);
     // Twice the same walk, first to count and then to write: the lists are by far the largest
     // thing in memory, and this way they are there once.
     const auto loop = loop_over(threads, 1024);
     loop(levels.size, [&](std::size_t begin, std::size_t end, int) {
         for (std::size_t s = begin; s < end; ++s)
-            lists.offsets[particle_at(levels, s) + 1] = listed(levels, s, filter.max_crowd);
+            lists.offsets[particle_at(levels, s) + 1] = listed(levels, s, max_crowd);
     });
-    for (std::size_t i = 0; i < positions.size(); ++i)
+    for (std::size_t i = 0; i < particles; ++i)
         lists.offsets[i + 1] += lists.offsets[i];
     check_listed(lists.offsets.back(), levels.size, max_listed_neighbors, radii);
     lists.neighbors.resize(lists.offsets.back());
     loop(levels.size, [&](std::size_t begin, std::size_t end, int) {
         for (std::size_t s = begin; s < end; ++s) {
             std::size_t place = lists.offsets[particle_at(levels, s)];
-            visit_listed(levels, s, filter.max_crowd,
+            visit_listed(levels, s, max_crowd,
                          [&](std::uint32_t neighbor) { lists.neighbors[place++] = neighbor; });
         }
     });
     return lists;
+}
+
+NeighborLists find_neighbors(const Positions& positions, const SupportRadii& radii,
+                             const NeighborFilter& filter, int threads) {
+    return list_neighbors(NeighborGrid(positions, radii, filter, threads), positions.size(), radii,
+                          filter.max_crowd, threads);
+}
+
+NeighborLists find_neighbors(const Positions& positions, const GridLayout& whole,
+                             const NeighborFilter& filter, int threads) {
+    return list_neighbors(NeighborGrid(positions, whole, filter, threads), positions.size(),
+                          whole.radius, filter.max_crowd, threads);
 }
 
 } // namespace meniscus

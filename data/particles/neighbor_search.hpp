@@ -42,6 +42,8 @@ inline constexpr std::size_t max_listed_neighbors = 2000;
 /// Of neighbors as near, lists need hold no more than so many.
 inline constexpr std::size_t usual_max_crowd = 100;
 
+class NeighborGrid;
+
 /// What leaves pairs out of the lists. The first two are empty or have one entry a particle.
 struct NeighborFilter {
     const std::vector<std::uint8_t>* valid = nullptr; ///< particles with 0 have no neighbors
@@ -104,8 +106,8 @@ public:
     struct Levels;
 
 private:
-    friend NeighborLists find_neighbors(const Positions&, const SupportRadii&,
-                                        const NeighborFilter&, int);
+    friend NeighborLists list_neighbors(const NeighborGrid&, std::size_t, const SupportRadii&,
+                                        std::size_t, int);
 
     std::unique_ptr<Levels> levels;
 };
@@ -125,5 +127,10 @@ inline constexpr double max_radius_range = 1000;
 /// average. And where there would be more than max_listed_neighbors a particle on average.
 NeighborLists find_neighbors(const Positions& positions, const SupportRadii& radii,
                              const NeighborFilter& filter = {}, int threads = 0);
+
+/// The same for a part of a state of that layout, its particles in the order that they have there:
+/// of each particle's list in the whole, those that are in the part.
+NeighborLists find_neighbors(const Positions& positions, const GridLayout& whole,
+                             const NeighborFilter& filter, int threads);
 
 } // namespace meniscus

@@ -31,6 +31,27 @@ double median_radius(const SupportRadii& radii, const std::vector<std::uint8_t>&
 
 } // namespace
 
+double kernel_sum(const FoundNeighbors& found, std::size_t particle, const SupportRadii& radii,
+                  int dimension, bool without_crowds) {
+    double sum = cubic_spline(0.0);
+    const double own = radii.of(particle);
+    std::size_t crowd = 0;
+    for (std::size_t n = 0; n < found.size(); ++n) {
+        const auto& to = found.displacements[n];
+        const double distance = std::sqrt(to[0] * to[0] + to[1] * to[1] + to[2] * to[2]);
+        crowd += distance < crowd_radius * own ? 1 : 0;
+        if (!radii.vary()) {
+            sum += cubic_spline(distance / own);
+            continue;
+        }
+        const double other = radii.of(found.particles[n]);
+        sum += std::pow(2 * other / (own + other), dimension) *
+               cubic_spline(2 * distance / (own + other));
+    }
+    return without_crowds && crowd > usual_max_crowd ? std::numeric_limits<double>::quiet_NaN()
+                                                     : kernel_scale(dimension) * sum;
+}
+
 std::vector<double> kernel_sums(const NeighborGrid& grid, const SupportRadii& radii, int dimension,
                                 int threads, bool without_crowds) {
     std::vector<double> sums(grid.size());
@@ -40,23 +61,21 @@ std::vector<double> kernel_sums(const NeighborGrid& grid, const SupportRadii& ra
         FoundNeighbors& found = found_by[worker];
         for (std::size_t place = begin; place < end; ++place) {
             grid.find(place, found);
-            double sum = cubic_spline(0.0);
-            const double own = radii.of(grid.particle(place));
-            std::size_t crowd = 0;
-            for (std::size_t n = 0; n < found.size(); ++n) {
-                const auto& to = found.displacements[n];
-                const double distance = std::sqrt(to[0] * to[0] + to[1] * to[1] + to[2] * to[2]);
-                const double other = radii.of(found.particles[n]);
-                crowd += distance < crowd_radius * own ? 1 : 0;
-                sum += std::pow(2 * other / (own + other), dimension) *
-                       cubic_spline(2 * distance / (own + other));
-            }
-            sums[place] = without_crowds && crowd > usual_max_crowd
-                              ? std::numeric_limits<double>::quiet_NaN()
-                              : kernel_scale(dimension) * sum;
+            sums[place] = kernel_sum(found, grid.particle(place), radii, dimension, without_crowds);
         }
     });
     return sums;
+}
+
+std::optional<double> spacing_ratio_of_sums(std::vector<double> sums, const Snapshot& snapshot,
+                                            const SupportRadii& radii) {
+    sums.erase(std::remove_if(sums.begin(), sums.end(), [](double sum) { return std::isnan(sum); }),
+               sums.end());
+    if (sums.empty())
+        return {};
+    const auto quartile = sums.begin() + static_cast<std::ptrdiff_t>(quartile_place(sums.size()));
+    std::nth_element(sums.begin(), quartile, sums.end());
+    return spacing_ratio_of_sum(*quartile, snapshot, radii);
 }
 
 double spacing_ratio_of_sum(double quartile, const Snapshot& snapshot, const SupportRadii& radii) {
@@ -77,16 +96,12 @@ double measured_spacing_ratio(const Snapshot& snapshot, const SupportRadii& radi
     if (const auto stored = stored_spacing_ratio(snapshot, radii))
         return *stored;
     const NeighborGrid grid(snapshot.positions, radii, {&valid, nullptr}, threads);
-    auto sums = kernel_sums(grid, radii, snapshot.dimension, threads, true);
-    sums.erase(std::remove_if(sums.begin(), sums.end(), [](double sum) { return std::isnan(sum); }),
-               sums.end());
-    if (sums.empty())
-        sums = kernel_sums(grid, radii, snapshot.dimension, threads, false);
-    if (sums.empty())
-        return 1;
-    const auto quartile = sums.begin() + static_cast<std::ptrdiff_t>(quartile_place(sums.size()));
-    std::nth_element(sums.begin(), quartile, sums.end());
-    return spacing_ratio_of_sum(*quartile, snapshot, radii);
+    for (const bool without_crowds : {true, false})
+        if (const auto ratio = spacing_ratio_of_sums(
+                kernel_sums(grid, radii, snapshot.dimension, threads, without_crowds), snapshot,
+                radii))
+            return *ratio;
+    return 1;
 }
 
 double BoundaryWeights::of(std::size_t boundary_particle, double support_radius,

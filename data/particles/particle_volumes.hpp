@@ -37,6 +37,10 @@ std::optional<double> stored_spacing_ratio(const Snapshot& snapshot, const Suppo
 std::vector<double> kernel_sums(const NeighborGrid& grid, const SupportRadii& radii, int dimension,
                                 int threads, bool without_crowds);
 
+/// The one of this particle, whose neighbors were found in such a grid.
+double kernel_sum(const FoundNeighbors& found, std::size_t particle, const SupportRadii& radii,
+                  int dimension, bool without_crowds);
+
 /// The place, in ascending order, of the sum that decides: among those that are numbers or, where
 /// none is, among those with crowds.
 inline std::uint64_t quartile_place(std::uint64_t sums) {
@@ -45,6 +49,10 @@ inline std::uint64_t quartile_place(std::uint64_t sums) {
 
 /// The ratio by that sum.
 double spacing_ratio_of_sum(double quartile, const Snapshot& snapshot, const SupportRadii& radii);
+
+/// The same by all sums; nothing where none is a number.
+std::optional<double> spacing_ratio_of_sums(std::vector<double> sums, const Snapshot& snapshot,
+                                            const SupportRadii& radii);
 
 struct BoundaryWeights {
     std::vector<double>

@@ -64,12 +64,12 @@ void check_sides(const PeriodicSides& sides, char axis, double radius) {
                          " m");
 }
 
-void check_inside(const Positions& positions, const PeriodicSides& sides, std::size_t axis,
-                  double radius) {
+void check_inside(const Positions& positions, std::uint64_t first, const PeriodicSides& sides,
+                  std::size_t axis, double radius) {
     for (std::size_t i = 0; i < positions.size(); ++i)
         if (positions[i][axis] < sides.low - radius || positions[i][axis] > sides.high + radius)
-            throw InputError("particle " + std::to_string(i) + " has " + "xyz"[axis] + " = " +
-                             number_text(positions[i][axis]) +
+            throw InputError("particle " + std::to_string(first + i) + " has " + "xyz"[axis] +
+                             " = " + number_text(positions[i][axis]) +
                              ", outside the periodic box by more than the support radius");
 }
 
@@ -148,13 +148,33 @@ void add_periodic_copies(Snapshot& snapshot, const PeriodicBox& box, double radi
         if (!sides[axis])
             continue;
         check_sides(*sides[axis], "xyz"[axis], radius);
-        check_inside(snapshot.positions, *sides[axis], axis, radius);
+        check_inside(snapshot.positions, snapshot.first_particle, *sides[axis], axis, radius);
         copy_along(snapshot.positions, snapshot.boundary, axis, *sides[axis], radius);
     }
     const std::size_t copies = snapshot.boundary.size() - before;
     snapshot.provenance[count_key] = std::to_string(copies);
     snapshot.notes.push_back("periodic: " + std::to_string(copies) +
                              " copies cover beyond the sides of the box");
+}
+
+std::vector<std::uint8_t> near_periodic_sides(const Positions& rows, std::uint64_t first,
+                                              const Snapshot& frame, const PeriodicBox& box,
+                                              double radius) {
+    std::vector<std::uint8_t> near(rows.size());
+    const PeriodicBox sides = turned(box, frame);
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(frame.dimension); ++axis) {
+        if (!sides[axis])
+            continue;
+        check_sides(*sides[axis], "xyz"[axis], radius);
+        check_inside(rows, first, *sides[axis], axis, radius);
+        // Particles may be out of the box by a radius, and reach one farther.
+        const double reach = 2.001 * radius;
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            if (rows[i][axis] <= sides[axis]->low + reach ||
+                rows[i][axis] >= sides[axis]->high - reach)
+                near[i] = 1;
+    }
+    return near;
 }
 
 } // namespace meniscus

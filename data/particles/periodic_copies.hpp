@@ -5,8 +5,10 @@
 #include "snapshot.hpp"
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace meniscus {
 
@@ -27,6 +29,13 @@ PeriodicBox periodic_box(const std::string& text);
 /// Throws InputError where the box is smaller than the radius, where a particle is farther outside
 /// than that, or where there are several phases, which copies would cover alike.
 void add_periodic_copies(Snapshot& snapshot, const PeriodicBox& box, double radius);
+
+/// For rows of a state that is not in memory, whose first is particle `first`: 1 for each that may
+/// have copies, on which add_periodic_copies then adds what it adds on all of them. The frame says
+/// how the state was turned. Throws likewise.
+std::vector<std::uint8_t> near_periodic_sides(const Positions& rows, std::uint64_t first,
+                                              const Snapshot& frame, const PeriodicBox& box,
+                                              double radius);
 
 /// Takes out the copies that an earlier run has added.
 void remove_periodic_copies(Snapshot& snapshot);

@@ -28,6 +28,11 @@ public:
     void size(const Container& container) {
         number(std::uint64_t{container.size()});
     }
+
+    void text(const std::string& letters) {
+        size(letters);
+        bytes += letters;
+    }
 };
 
 /// Takes out, in the same order, what a Packer has put in. Throws std::out_of_range where there is
@@ -54,6 +59,12 @@ public:
         container.resize(count);
     }
 
+    void text(std::string& letters) {
+        size(letters);
+        letters.assign(bytes.substr(0, letters.size()));
+        bytes.remove_prefix(letters.size());
+    }
+
     [[nodiscard]] bool is_empty() const { return bytes.empty(); }
 
 private:
@@ -62,9 +73,7 @@ private:
 
 template <class Pack>
 void carry(Pack& pack, std::string& text) {
-    pack.size(text);
-    for (char& letter : text)
-        pack.number(letter);
+    pack.text(text);
 }
 
 template <class Pack>

@@ -30,6 +30,14 @@ public:
 /// This process alone.
 Ranks& one_process();
 
+/// The first of a rank's share of so many things that follow on each other; `rank` may be the
+/// number of ranks, where the last share ends.
+inline std::uint64_t first_of_share(std::uint64_t count, int rank, int ranks) {
+    const auto part = static_cast<std::uint64_t>(rank);
+    const auto parts = static_cast<std::uint64_t>(ranks);
+    return count / parts * part + count % parts * part / parts;
+}
+
 /// Does this rank's share of a step. Where that throws on any rank, all throw the error of the
 /// first of them, so that none waits for another. InputError and FailureError stay what they are.
 void do_together(Ranks& ranks, const std::function<void()>& share);

@@ -2,6 +2,7 @@
 
 #include "errors.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -36,17 +37,28 @@ ScratchFile::ScratchFile(const std::filesystem::path& folder)
 }
 
 void ScratchFile::append(const void* bytes, std::size_t count) {
+    write(bytes_written, bytes, count);
+}
+
+void ScratchFile::write(std::uint64_t place, const void* bytes, std::size_t count) {
     const auto* from = static_cast<const char*>(bytes);
     while (count > 0) {
-        const ssize_t written = pwrite(descriptor, from, count, static_cast<off_t>(bytes_written));
+        const ssize_t written = pwrite(descriptor, from, count, static_cast<off_t>(place));
         if (written < 0 && errno == EINTR)
             continue;
         if (written <= 0)
             fail(folder, "cannot store what does not fit into memory");
         from += written;
-        bytes_written += static_cast<std::uint64_t>(written);
+        place += static_cast<std::uint64_t>(written);
+        bytes_written = std::max(bytes_written, place);
         count -= static_cast<std::size_t>(written);
     }
+}
+
+void ScratchFile::clear() {
+    if (ftruncate(descriptor, 0) != 0)
+        fail(folder, "cannot empty a file for what does not fit into memory");
+    bytes_written = 0;
 }
 
 void ScratchFile::read(std::uint64_t place, void* bytes, std::size_t count) const {

@@ -14,11 +14,14 @@ class LargeStates : public CommandLine {
 protected:
     /// Labels in one pass and in slabs; the files must be the same. Returns what is said of slabs.
     std::string expect_same_bytes(const Path& input, const Words& options,
-                                  const std::string& memory = "36MB") const {
+                                  const std::string& memory = "36MB",
+                                  const char* verb = "label") const {
         const Path name = input.stem().concat(".vtkhdf");
-        succeed(Words{"label", input, "-o", folder / "whole", "--quiet"} + options);
-        const Outcome outcome = run(
-            program + Words{"label", input, "-o", folder / "slabs", "--memory", memory} + options);
+        std::filesystem::remove_all(folder / "whole");
+        std::filesystem::remove_all(folder / "slabs");
+        succeed(Words{verb, input, "-o", folder / "whole", "--quiet"} + options);
+        const Outcome outcome =
+            run(program + Words{verb, input, "-o", folder / "slabs", "--memory", memory} + options);
         EXPECT_EQ(outcome.status, 0) << outcome.errors;
         EXPECT_TRUE(bytes_of(folder / "whole" / name) == bytes_of(folder / "slabs" / name))
             << input << " in slabs: " << outcome.output;
@@ -47,8 +50,6 @@ protected:
 TEST_F(LargeStates, MassesPhasesAndIdsAreTheSame) {
     const Path input = save(block_with_arrays(44), "block.vtkhdf");
     expect_mentions(expect_same_bytes(input, {}), {" slabs; "});
-    std::filesystem::remove_all(folder / "whole");
-    std::filesystem::remove_all(folder / "slabs");
     expect_same_bytes(input, {"--samples", "300", "--scheme", "random"});
 }
 
@@ -78,13 +79,54 @@ TEST_F(LargeStates, InvalidParticlesAreLeftOut) {
 
 TEST_F(LargeStates, WhatCannotBeReadInPartsIsRefused) {
     Snapshot snapshot = block(44);
-    snapshot.provenance["periodic"] = "x=0:20";
+    set_array(snapshot, {"phase", 1, std::vector<std::int32_t>(snapshot.size())});
+    snapshot.provenance["periodic"] = "x=0:22";
     fail(2, {"label", save(snapshot, "block.vtkhdf"), "-o", folder / "out", "--memory", "34MB"},
          {"block.vtkhdf", "--memory", "MiB", "periodic"});
+    fail(2,
+         {"classify", save(block(44), "block.vtkhdf"), "-o", folder / "out", "--memory", "34MB",
+          "--balance-momentum"},
+         {"block.vtkhdf", "MiB to classify", "--balance-momentum"});
     fail(2, {"label", save(block(44), "block.vtkhdf"), "-o", folder / "out", "--memory", "26MB"},
          {"block.vtkhdf", "slabs take", "MiB", "--memory"});
     fail(2, {"label", save(block(10), "block.vtkhdf"), "-o", folder / "out", "--memory", "much"},
          {"--memory"});
+}
+
+TEST_F(LargeStates, PeriodicBoxesAreTheSame) {
+    Snapshot snapshot = block(57);
+    std::swap(snapshot.positions.front(), snapshot.positions.back());
+    snapshot.positions[77][1] -= 0.4; // out of the box
+    const Path input = save(snapshot, "block.vtkhdf");
+    const Words box = {"--periodic", "x=0:28.5,y=0:28.5"};
+    expect_mentions(expect_same_bytes(input, box, "43MB"), {" slabs; ", "copies cover"});
+    expect_same_bytes(input, box + Words{"--no-boundary"}, "43MB");
+    fail(2, {"label", input, "-o", folder / "no", "--memory", "43MB", "--periodic", "z=0:20"},
+         {"block.vtkhdf", "outside the periodic box"});
+}
+
+TEST_F(LargeStates, ClassesAreTheSame) {
+    const auto expect_same = [&](const Snapshot& snapshot, const Words& options,
+                                 const std::string& memory) {
+        expect_mentions(
+            expect_same_bytes(save(snapshot, "block.vtkhdf"), options, memory, "classify"),
+            {" slabs; ", "candidates"});
+    };
+    expect_same(block(44), {}, "50MB");
+    // Deeper halos, forces that reach farther, and other ways to find the surface.
+    expect_same(block(44), {"--normal-passes", "2", "--curvature-passes", "2"}, "66MB");
+    expect_same(block(44), {"--paper"}, "60MB");
+    expect_same(block(44), {"--coverage", "exact", "--model", "surface_3d"}, "50MB");
+    Snapshot scattered = block_with_arrays(44);
+    for (std::size_t i = 0; i < scattered.size(); ++i)
+        std::swap(scattered.positions[i], scattered.positions[(i * 7919) % scattered.size()]);
+    scattered.positions[3][0] = std::numeric_limits<double>::quiet_NaN();
+    scattered.particle_volume = 0.125;
+    scattered.boundary = block(20).positions;
+    for (auto& position : scattered.boundary)
+        position[2] -= 10;
+    expect_same(scattered, {"--skip-invalid"}, "66MB");
+    expect_same(block(44), {"--periodic", "x=0:22"}, "64MB");
 }
 
 TEST_F(LargeStates, TrainingIsTheSame) {

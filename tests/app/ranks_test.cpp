@@ -108,6 +108,17 @@ TEST_F(RanksOfMpi, LabelALargeStateTogether) {
     EXPECT_TRUE(bytes_of(folder / "one/block.vtkhdf") == bytes_of(folder / "two/block.vtkhdf"));
 }
 
+TEST_F(RanksOfMpi, ClassifyALargeStateTogether) {
+    const Path input = save(block(60), "block.vtkhdf");
+    succeed({"classify", input, "-o", folder / "one", "--quiet"});
+    for (const int ranks : {2, 3}) {
+        const Path several = folder / std::to_string(ranks);
+        expect_mentions(succeed_on(ranks, {"classify", input, "-o", several, "--memory", "100MB"}),
+                        {"216000 particles", " slabs; ", "ranks exchanged"});
+        EXPECT_TRUE(bytes_of(folder / "one/block.vtkhdf") == bytes_of(several / "block.vtkhdf"));
+    }
+}
+
 TEST_F(RanksOfMpi, TrainAndAudit) {
     succeed({"label", MENISCUS_SAMPLES, "-o", folder / "labelled", "--quiet"});
     const Words train = {"train", folder / "labelled", "-o"};

@@ -322,7 +322,8 @@ TEST_F(Pysph, SizesThatNoFileHoldsAreRefused) {
 
 TEST_F(Pysph, WhatCrashesHdf5IsReadOrRefused) {
     // Found by fuzzing; what version 1.10.8 does is in their names.
-    for (const char* name : {"hdf5_divides_by_zero.hdf5", "hdf5_takes_all_memory.vtkhdf"}) {
+    for (const char* name : {"hdf5_divides_by_zero.hdf5", "hdf5_takes_all_memory.vtkhdf",
+                             "hdf5_reads_far_beyond.vtkhdf"}) {
         try {
             read_snapshot(fs::path(MENISCUS_TEST_SAMPLES) / name);
         } catch (const InputError& error) {

@@ -19,8 +19,8 @@ mkdir -p "$folder/reports"
 
 read -ra libraries <<<"$(pkg-config --cflags --libs hdf5 libcrypto zlib libzstd)"
 mapfile -t readers < <(find "$sources/data" -name '*.cpp' ! -path '*/clouds/*' ! -path '*/samples/*' \
-    ! -path '*/drawing/*' ! -name neighbor_search.cpp)
-afl-clang-fast++ -std=c++17 -O1 -g -fsanitize=fuzzer -I "$sources/include" \
+    ! -path '*/drawing/*')
+afl-clang-fast++ -std=c++17 -O1 -g -fopenmp -fsanitize=fuzzer -I "$sources/include" \
     "$sources/tests/fuzz/$target.cpp" "${readers[@]}" "${libraries[@]}" -o "$folder/$target" \
     >"$folder/compile.log" 2>&1 || { cat "$folder/compile.log" >&2; exit 1; }
 

@@ -3,13 +3,14 @@
 #pragma once
 
 #include <meniscus/data/particles/grid_layout.hpp>
+#include <meniscus/data/slabs/slab_needs.hpp>
 
 #include <cstdint>
 #include <vector>
 
 namespace meniscus {
 
-/// Layers from `first` up to `end`; the halo is the layer before and the one after.
+/// Layers from `first` up to `end`; the halo is so many layers before and after.
 struct Slab {
     std::int64_t first = 0;
     std::int64_t end = 0;
@@ -27,16 +28,10 @@ struct LayerCounts {
     void add(const std::array<double, 3>& position);
 };
 
-/// What a slab takes in memory, in bytes.
-struct SlabCost {
-    std::uint64_t particle = 0; ///< each, halo included
-    std::uint64_t cell = 0;     ///< each
-};
-
 /// Slabs from the first layer to the last, a multiple of `ranks` of them where there are layers
 /// enough. Throws InputError, saying how much is needed, where one layer with its halo takes more
 /// than `memory` bytes.
-std::vector<Slab> plan_slabs(const LayerCounts& counts, const SlabCost& cost, std::uint64_t memory,
-                             int ranks);
+std::vector<Slab> plan_slabs(const LayerCounts& counts, const SlabNeeds& needs,
+                             std::uint64_t memory, int ranks);
 
 } // namespace meniscus
