@@ -129,11 +129,10 @@ if wanted simulation; then
         print $table
     done
 fi
-if wanted studies; then # prints committed results; meniscus_study NAME --record makes them anew
-    prepare cmake --build build/release --target meniscus_study
+if wanted studies; then # prints committed results; meniscus study NAME --record makes them anew
     for result in validation/*/small.json; do
         study=$(basename "$(dirname "$result")")
-        fill "study-${study//_/-}" "$bin/meniscus_study" "$study" --show --plots docs/plots
+        fill "study-${study//_/-}" "$bin/meniscus" study "$study" --show --plots docs/plots
     done
 fi
 if wanted contact-angles; then

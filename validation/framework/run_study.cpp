@@ -41,6 +41,14 @@ Json labels_of(const StudyRun& run) {
     return labels;
 }
 
+/// The values of its axes.
+std::string title_of(const StudyRun& run) {
+    std::string title;
+    for (const auto& [axis, value] : run.labels)
+        title += fmt::format("{}{} {}", title.empty() ? "" : ", ", axis, value);
+    return title;
+}
+
 /// What the file has of the run, where it is of these settings.
 std::optional<Json> kept(const fs::path& file, const Json& settings) {
     if (!fs::exists(file))
@@ -55,6 +63,10 @@ Json measured(const Study& study, const StudyRun& run, const Json& settings,
               const StudyOptions& options) {
     const auto start = std::chrono::steady_clock::now();
     Workplace place{options.work / run.name, options.threads, options.stop};
+    if (options.draw)
+        place.draw = [&](const fs::path& frame) {
+            options.draw(frame, picture_file(run, options.work), title_of(run));
+        };
     fs::create_directories(place.folder);
     const Json figures = study.measure(run, place);
     if (!options.keep_frames)
@@ -98,6 +110,10 @@ void compare(const std::string& name, const Json& figures, const Json& committed
 }
 
 } // namespace
+
+fs::path picture_file(const StudyRun& run, const fs::path& work) {
+    return work / (run.name + ".png");
+}
 
 Json run_study(const Study& study, const StudyPlan& plan, const StudyOptions& options) {
     Json runs = Json::array();

@@ -1,11 +1,11 @@
 // A jet at rest whose radius has a wave along it: surface tension makes the wave grow where it is
-// longer than the jet is round. By Rayleigh (1878), without viscosity, as cosh(omega t) with
-//     omega^2 = sigma / (rho R^3) kR (1 - (kR)^2) I_1(kR) / I_0(kR)
+// longer than the jet is round, by Rayleigh's rate.
 // Scenes have no periodic ends: the jet is so long that its ends, which draw back at about
 // sqrt(2 sigma / (rho R)), do not reach the wave in its middle while that is looked at.
 #include "framework/measures.hpp"
 #include "framework/run_tables.hpp"
 #include "framework/scene_runs.hpp"
+#include "rayleigh_rate.hpp"
 #include "studies.hpp"
 
 #include <meniscus/data/formats/vtkhdf.hpp>
@@ -20,11 +20,11 @@ constexpr double radius = 0.5;     // m
 constexpr double first_wave = 0.1; // of the radius, over R
 constexpr double growth = 3;       // up to which the wave is looked at
 
-double rayleigh_rate(const Scene& scene, double wave_number) {
-    const double kr = wave_number * radius;
-    return std::sqrt(scene.surface_tension.coefficient /
-                     (scene.rest_density * std::pow(radius, 3)) * kr * (1 - kr * kr) *
-                     std::cyl_bessel_i(1, kr) / std::cyl_bessel_i(0, kr));
+/// 1/s.
+double rate_of(const Scene& scene, double wave_number) {
+    return rayleigh_rate(wave_number * radius) *
+           std::sqrt(scene.surface_tension.coefficient /
+                     (scene.rest_density * std::pow(radius, 3)));
 }
 
 /// Around the x axis, one wave in the middle and room for the ends; moved such that radii have the
@@ -65,7 +65,7 @@ Scene jet(Scene scene, double wave_number, const Workplace& place) {
     shape.file = place.folder / "first.vtkhdf";
     write_vtkhdf(first, shape.file);
     scene.fluid = {{shape, {}}};
-    scene.duration = 2 * std::acosh(growth) / rayleigh_rate(scene, wave_number);
+    scene.duration = 2 * std::acosh(growth) / rate_of(scene, wave_number);
     scene.frame_interval = scene.duration / 60;
     return scene;
 }
@@ -73,8 +73,9 @@ Scene jet(Scene scene, double wave_number, const Workplace& place) {
 Json measure(const StudyRun& run, const Workplace& place) {
     const double wave_number = run.numbers.at("kR") / radius;
     const SceneRun done = run_to_end(jet(scene_of(run), wave_number, place), place);
+    place.draw(done.frames.back());
     const Scene& scene = done.scene;
-    const double exact = rayleigh_rate(scene, wave_number);
+    const double exact = rate_of(scene, wave_number);
     Json figures = {{"particles", done.log.at("particles").front()},
                     {"Rayleigh's rate, 1/s", exact}};
     std::vector<double> waves;
@@ -97,11 +98,12 @@ Json measure(const StudyRun& run, const Workplace& place) {
     return figures;
 }
 
-std::vector<Table> tables(const Json& result, const Json& /*reference*/) {
+std::vector<Table> tables(const Json& result, const Json& reference) {
     return {table_of_runs("jet_growth", result, "spacing | k R",
                           "rate off, % {:+.1f} | rate, 1/s {:.3f} | Rayleigh's rate, 1/s {:.3f} | "
                           "wave at the end over the first {:.2f} | bodies at the end {:.0f} | "
-                          "particles {:.0f}")};
+                          "particles {:.0f}"),
+            table_of_sources(reference)};
 }
 
 } // namespace
