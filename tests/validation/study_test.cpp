@@ -17,10 +17,8 @@ namespace {
 const char* const some_study = R"({
   "title": "Some",
   "small": {"axes": [
-    {"name": "drop", "values": [{"name": "2D", "set": ["a=1"], "scene": "a/b.json",
-                                 "numbers": {"size": 2}},
-                                {"name": "3D", "set": ["a=2"], "scene": "dam",
-                                 "numbers": {"size": 3}}]},
+    {"name": "drop", "values": [{"name": "2D", "set": ["a=1"], "numbers": {"size": 2}},
+                                {"name": "3D", "set": ["a=2"], "numbers": {"size": 3}}]},
     {"name": "solver", "values": [{"name": "one, fast"}, {"name": "two", "set": ["b=3"]}]}
   ]},
   "paper": {"axes": [{"name": "drop", "values": [{"name": "3D"}]}]},
@@ -67,11 +65,19 @@ TEST_F(Studies, RunEachCombinationOfTheirAxes) {
     ASSERT_EQ(read.runs.size(), 4U);
     EXPECT_EQ(read.runs[1].name, "2D_two");
     EXPECT_EQ(read.runs[1].changes, (std::vector<std::string>{"a=1", "b=3"}));
-    EXPECT_EQ(read.runs[1].scene, folder / "a/b.json");
     EXPECT_EQ(read.runs[2].name, "3D_one_fast");
-    EXPECT_EQ(read.runs[2].scene, "scenes/dam.json");
     EXPECT_EQ(read.runs[2].numbers.at("size"), 3);
     EXPECT_EQ(read_plan(folder, "paper", "scenes").runs.size(), 1U);
+}
+
+TEST_F(Studies, NameScenesThatShipAndFilesBesideThem) {
+    Json json = Json::parse(some_study);
+    json["small"]["axes"][0]["values"][0]["scene"] = "../other/drop.json";
+    json["small"]["axes"][0]["values"][1]["scene"] = "dam_break";
+    write("study.json", json.dump());
+    const StudyPlan read = plan();
+    EXPECT_EQ(read.runs[0].scene, folder / "../other/drop.json");
+    EXPECT_EQ(read.runs[2].scene, "scenes/dam_break.json");
 }
 
 TEST_F(Studies, NameWhatIsWrong) {

@@ -8,6 +8,7 @@
 #include <meniscus/data/threads/threads.hpp>
 #include <meniscus/runtime/version.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <fmt/format.h>
@@ -75,7 +76,8 @@ Json measured(const Study& study, const StudyRun& run, const Json& settings,
     return {{"labels", labels_of(run)},
             {"settings", settings},
             {"figures", figures},
-            {"seconds", std::round(10 * passed.count()) / 10}};
+            {"seconds", std::round(10 * passed.count()) / 10},
+            {"peak_memory_mib", std::round(peak_bytes() / (1 << 20))}};
 }
 
 const Json* run_of(const Json& result, const Json& labels) {
@@ -118,6 +120,7 @@ fs::path picture_file(const StudyRun& run, const fs::path& work) {
 Json run_study(const Study& study, const StudyPlan& plan, const StudyOptions& options) {
     Json runs = Json::array();
     double seconds = 0;
+    double memory = 0;
     for (std::size_t n = 0; n < plan.runs.size(); ++n) {
         const StudyRun& run = plan.runs[n];
         const fs::path file = options.work / (run.name + ".json");
@@ -130,6 +133,7 @@ Json run_study(const Study& study, const StudyPlan& plan, const StudyOptions& op
             write_whole(file, done->dump(1) + "\n");
         }
         seconds += (*done)["seconds"].get<double>();
+        memory = std::max(memory, done->value("peak_memory_mib", 0.0));
         runs.push_back(*done);
     }
     return {{"study", study.name},
@@ -139,7 +143,7 @@ Json run_study(const Study& study, const StudyPlan& plan, const StudyOptions& op
             {"machine", Json::parse(machine().dump())},
             {"threads", thread_count(options.threads)},
             {"hours", seconds / 3600},
-            {"peak_memory_mib", std::round(peak_bytes() / (1 << 20))},
+            {"peak_memory_mib", memory},
             {"runs", runs}};
 }
 

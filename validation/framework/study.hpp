@@ -58,8 +58,9 @@ struct Workplace {
 struct Stopped {};
 
 /// A result: {"study", "size", "program", "machine", "threads", "hours", "peak_memory_mib",
-/// "runs": [{"labels", "settings", "figures", "seconds"}]}. Figures are by name numbers, lists of
-/// numbers, or one text "failure".
+/// "runs": [{"labels", "settings", "figures", "seconds", "peak_memory_mib"}]}, memory being the
+/// most that the process had taken by then. Figures are by name numbers, lists of numbers, or one
+/// text "failure".
 struct Study {
     const char* name; ///< of its folder
     const char* help; ///< half a sentence

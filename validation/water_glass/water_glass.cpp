@@ -94,11 +94,14 @@ double mean_speed(const SceneRun& done) {
     std::vector<double> speeds; // of frames
     for (const auto& frame : done.frames) {
         const Snapshot state = read_vtkhdf(frame);
+        const auto& velocities =
+            std::get<std::vector<float>>(find_array(state, "velocity")->values);
         std::vector<double> some;
         for (std::size_t i = 0; i < state.size(); ++i)
-            if (state.positions[i][1] >= 0)
-                some.push_back(std::hypot(state.velocities[i][0], state.velocities[i][1],
-                                          state.velocities[i][2]));
+            if (state.positions[i][1] >= 0) {
+                const float* velocity = &velocities[3 * i];
+                some.push_back(std::hypot(velocity[0], velocity[1], velocity[2]));
+            }
         if (!some.empty())
             speeds.push_back(mean_and_deviation(some).mean);
     }
