@@ -198,5 +198,16 @@ TEST(ShippedStudies, HavePlansReferencesAndScenes) {
     }
 }
 
+TEST(ShippedStudies, NameNoFileOfTheMachineThatRanThem) {
+    for (const auto& folder : std::filesystem::directory_iterator(MENISCUS_VALIDATION))
+        for (const char* size : {"small.json", "paper.json"}) {
+            const auto file = folder.path() / size;
+            if (std::filesystem::exists(file)) {
+                EXPECT_EQ(text_of_file(file, "a result").find(".vtkhdf"), std::string::npos)
+                    << file;
+            }
+        }
+}
+
 } // namespace
 } // namespace meniscus
