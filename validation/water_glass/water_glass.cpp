@@ -150,6 +150,27 @@ void add_compared(Table& table, const std::string& finding, const Json& result,
     add_finding(table, finding, found, holds);
 }
 
+/// Adds whether the liquid stands higher at the wall in the first of two runs, by more than it
+/// sways.
+void add_rises(Table& table, const std::string& finding, const Json& result,
+               const std::string& higher, const std::string& lower) {
+    std::vector<double> rises;
+    double sways = 0;
+    std::string found;
+    for (const std::string& force : {higher, lower}) {
+        const Json* run = run_of_force(result, force);
+        const auto rise = run == nullptr ? std::nullopt : figure_of(*run, "rise at the wall, mm");
+        if (!rise)
+            continue;
+        const double deviation = figure_of(*run, "its deviation, mm").value_or(0);
+        rises.push_back(*rise);
+        sways = std::max(sways, deviation);
+        found += fmt::format("{}{}: {:.0f}, swaying by {:.0f}", found.empty() ? "" : "; ", force,
+                             *rise, deviation);
+    }
+    add_finding(table, finding, found, rises.size() == 2 && rises[0] > rises[1] + sways);
+}
+
 Table findings(const Json& result) {
     Table table = table_of_findings("water_glass_findings");
     add_compared(
@@ -167,13 +188,12 @@ Table findings(const Json& result) {
         }
     add_finding(table, "mean speeds hardly differ: by less than a tenth here",
                 fmt::format("{:.2f} to {:.2f} m/s", least, most), most < 1.1 * least);
-    const char* const rise = "rise at the wall, mm";
-    add_compared(table, "the liquid stands higher at walls that it wets, mm", result,
-                 {"ours, 60 degrees", "ours, 90 degrees"}, rise);
-    add_compared(table, "and lower at those that it draws back from, mm", result,
-                 {"ours, 90 degrees", "ours, 120 degrees"}, rise);
-    add_compared(table, "and higher at walls that attract it, mm", result,
-                 {"Akinci 2013, 1, adhesion 1", "Akinci 2013, 1"}, rise);
+    add_rises(table, "the liquid stands higher at walls that it wets, mm", result,
+              "ours, 60 degrees", "ours, 90 degrees");
+    add_rises(table, "and lower at those that it draws back from, mm", result, "ours, 90 degrees",
+              "ours, 120 degrees");
+    add_rises(table, "and higher at walls that attract it, mm", result,
+              "Akinci 2013, 1, adhesion 1", "Akinci 2013, 1");
     return table;
 }
 
