@@ -2,6 +2,7 @@
 #include "input_files.hpp"
 #include "shipped_files.hpp"
 
+#include "support/page.hpp"
 #include "support/plot.hpp"
 #include "support/tables.hpp"
 #include "usage.hpp"
@@ -22,6 +23,7 @@ namespace {
 struct BenchCommand {
     std::vector<Path> inputs;
     Path folder = "meniscus-bench";
+    Path report; ///< page to write; empty: none
     std::vector<std::string> tables;
     int threads = 0;
     TimingOptions timing;
@@ -64,7 +66,7 @@ std::string table_names() {
     return names;
 }
 
-void write_report(const Bench& bench) {
+void write_figures(const Bench& bench) {
     nlohmann::json inputs = nlohmann::json::array();
     for (const auto& state : bench.input.states)
         inputs.push_back({{"name", printable(state.name)},
@@ -111,6 +113,10 @@ void run_bench(const BenchCommand& command) {
     input.models = shipped_models();
     input.threads = thread_count(command.threads);
     input.timing = command.timing;
+    if (!command.report.empty()) {
+        check_can_be_written(command.report);
+        check_is_not_an_input(command.report, input.files);
+    }
     for (const Path& file : input.files)
         input.states.push_back(read_fluid_state<float>(file));
     const std::string machine_text = about(bench);
@@ -121,7 +127,11 @@ void run_bench(const BenchCommand& command) {
         if (is_wanted(command, table.name))
             for (const Table& made : table.make(input))
                 bench.add(made);
-    write_report(bench);
+    write_figures(bench);
+    if (!command.report.empty()) {
+        const WriteGuard guard;
+        write_whole(command.report, tables_page("Speed against error", machine_text, bench.tables));
+    }
 }
 
 } // namespace
@@ -137,6 +147,8 @@ void add_bench(CLI::App& command) {
                      "the project");
     verb->add_option("-o,--output", options->folder, "Folder for what it writes")
         ->capture_default_str();
+    verb->add_option("--report", options->report,
+                     "Page of HTML for the tables and plots, which opens from disk");
     std::vector<std::string> names;
     for (const TableKind& table : compared_tables())
         names.emplace_back(table.name);
@@ -150,7 +162,8 @@ void add_bench(CLI::App& command) {
         ->capture_default_str();
     add_threads_option(*verb, options->threads);
     add_quiet_option(*verb, options->quiet);
-    add_examples(*verb, {{"meniscus bench --tables line", "one table, of the samples that ship"}});
+    add_examples(*verb, {{"meniscus bench --tables line", "one table, of the samples that ship"},
+                         {"meniscus bench --report page.html", "all of them, and one page"}});
     verb->callback([options] { run_bench(*options); });
 }
 

@@ -42,7 +42,9 @@ void add_man(CLI::App& command);
 void add_completion(CLI::App& command);
 void add_picture(CLI::App& command);
 void add_plot(CLI::App& command);
-void add_bench(CLI::App& command); // where the benchmarks are built
+// Where the benchmarks are built.
+void add_bench(CLI::App& command);
+void add_study(CLI::App& command);
 
 /// Adds --quiet to a verb.
 void add_quiet_option(CLI::App& verb, bool& quiet);

@@ -369,8 +369,9 @@ void add_label(CLI::App& command) {
             "INPUT", options->files.inputs,
             fmt::format(
                 "Snapshots, told by their content: the project's own .vtkhdf, VTK's .vtk, .vtu "
-                "and .vtp, Partio's .bgeo, HDF5 of PySPH, GADGET and H5Part, CSV with named "
-                "columns, .ply, NumPy's .npy, extended .xyz, LAMMPS dumps. They are {}",
+                "and .vtp, Partio's .bgeo, HDF5 of PySPH, GADGET, H5Part and LagrangeBench, CSV "
+                "with named columns, .ply, NumPy's .npy, extended .xyz, LAMMPS dumps, "
+                "DeepLagrangianFluids' .msgpack.zst. They are {}",
                 input_kinds))
         ->required();
     verb->add_option("-o,--output", options->files.folder,

@@ -95,6 +95,7 @@ int main(int argument_count, char** arguments) {
         meniscus::add_help(command);
 #if MENISCUS_HAS_BENCH
         meniscus::add_bench(command);
+        meniscus::add_study(command);
 #endif
         for (CLI::App* verb : command.get_subcommands({}))
             verb->group("Verbs");

@@ -39,6 +39,10 @@ Path shipped_scenes() {
     return shipped_folder("scenes");
 }
 
+Path shipped_studies() {
+    return shipped_folder("studies");
+}
+
 Path shipped_models() {
     return shipped_folder("models");
 }

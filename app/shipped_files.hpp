@@ -12,6 +12,9 @@ std::vector<Path> sample_snapshots();
 /// The folder of the scenes; throws InputError where there is none.
 Path shipped_scenes();
 
+/// The folder of the studies, each in a folder of its name; throws InputError where there is none.
+Path shipped_studies();
+
 /// The folder of the model files; throws InputError where there is none.
 Path shipped_models();
 

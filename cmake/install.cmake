@@ -22,6 +22,11 @@ if(NOT MENISCUS_RUNTIME_ONLY)
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/configs/scenes/
         DESTINATION ${CMAKE_INSTALL_DATADIR}/meniscus/scenes
         FILES_MATCHING PATTERN "*.json" PATTERN "*.obj")
+    if(MENISCUS_BENCHMARKS)
+        install(DIRECTORY ${PROJECT_SOURCE_DIR}/validation/
+            DESTINATION ${CMAKE_INSTALL_DATADIR}/meniscus/studies
+            FILES_MATCHING PATTERN "*.json" PATTERN framework EXCLUDE)
+    endif()
     install(TARGETS meniscus_neighbor_search meniscus_data meniscus_labeler meniscus_c
         EXPORT meniscus_targets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}

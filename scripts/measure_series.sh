@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What docs/speed.md says of series: seconds that label, audit and classify take for many frames of
+# docs/data/series.md, as Markdown: seconds that label, audit and classify take for many frames of
 # 8,192 particles, and label and classify once more, which find everything up to date.
 # Usage: scripts/measure_series.sh MENISCUS [FRAMES [THREADS]]
 set -euo pipefail
@@ -18,13 +18,16 @@ measure() {
     local name=$1 TIMEFORMAT='%R %U %S'
     shift
     { time "$meniscus" "$@" --threads "$threads" --quiet 2>&3; } 3>&2 2>"$folder/time"
-    awk -v name="$name" -v frames="$frames" '{ printf "%-14s %7.1f s, %6.1f s of processors, %6.1f ms of them a frame\n",
+    awk -v name="$name" -v frames="$frames" '{ printf "| %s | %.1f | %.1f | %.1f |\n",
         name, $1, $2 + $3, 1000 * ($2 + $3) / frames }' "$folder/time"
 }
 
-echo "$frames frames, $threads thread(s)"
-measure label label "$folder/frames" -o "$folder/labelled"
-measure "label again" label "$folder/frames" -o "$folder/labelled"
-measure audit audit "$folder/labelled"
-measure classify classify "$folder/frames" -o "$folder/classified"
-measure "classify again" classify "$folder/frames" -o "$folder/classified"
+echo "$frames frames, $threads thread(s), load of the machine before: $(cut -d' ' -f1 /proc/loadavg)"
+echo
+echo "| verb | seconds | of processors | ms of processors a frame |"
+echo "|---|---|---|---|"
+measure "\`label\`" label "$folder/frames" -o "$folder/labelled"
+measure "\`label\`, all up to date" label "$folder/frames" -o "$folder/labelled"
+measure "\`audit\`" audit "$folder/labelled"
+measure "\`classify\`" classify "$folder/frames" -o "$folder/classified"
+measure "\`classify\`, all up to date" classify "$folder/frames" -o "$folder/classified"

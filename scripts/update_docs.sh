@@ -3,7 +3,7 @@
 # "end" comments, wherever these stand, and draws the plots. Takes some minutes, curvature half an
 # hour; speed, speed-against-error, surface-speed and step-speed want an otherwise idle machine.
 # Usage: scripts/update_docs.sh [TABLES]   (default: all)
-# TABLES: accuracy, own-scenes (runs scenes for some ten minutes), speed, sampling, force,
+# TABLES: accuracy, own-scenes (runs scenes for some ten minutes), speed, series, sampling, force,
 # detectors, surface-speed, normals, curvature, scenes, simulation, studies, contact-angles,
 # step-speed, hard-cases, hard-cases-solvers, speed-against-error (runs scenes, too), or plots, which draws those
 # that need no more than the tables. `list` prints the names of all tables, and makes none.
@@ -44,6 +44,17 @@ fill() {
 # print TABLE [NAME] [FILES...]: what meniscus_bench prints.
 print() {
     fill "${2:-$1}" "$bin/meniscus_bench" "$1" "${@:3}"
+}
+
+# marked NAME: the file of what stands between the comments of that name.
+marked() {
+    local page
+    page=$(grep -lx "<!-- begin $1 -->" README.md docs/*.md docs/data/*.md)
+    awk -v name="$1" '
+        $0 == "<!-- end " name " -->" { inside = 0 }
+        inside { print }
+        $0 == "<!-- begin " name " -->" { inside = 1 }' "$page" >"$work/$1.md"
+    echo "$work/$1.md"
 }
 
 # plot NAME TABLE OPTIONS...: docs/plots/NAME.svg of a table in docs/data/, or of another file.
@@ -91,6 +102,9 @@ if wanted speed; then
     print label-scaling "" $samples/dam_dfsph_14.vtkhdf --threads 1
     print training-time "" "$work"/samples/*.vtkhdf
 fi
+if wanted series; then
+    fill series scripts/measure_series.sh "$bin/meniscus"
+fi
 if wanted sampling; then
     print sampling-schemes "" $samples/*.vtkhdf
 fi
@@ -129,11 +143,10 @@ if wanted simulation; then
         print $table
     done
 fi
-if wanted studies; then # prints committed results; meniscus_study NAME --record makes them anew
-    prepare cmake --build build/release --target meniscus_study
+if wanted studies; then # prints committed results; meniscus study NAME --record makes them anew
     for result in validation/*/small.json; do
         study=$(basename "$(dirname "$result")")
-        fill "study-${study//_/-}" "$bin/meniscus_study" "$study" --show --plots docs/plots
+        fill "study-${study//_/-}" "$bin/meniscus" study "$study" --show --plots docs/plots
     done
 fi
 if wanted contact-angles; then
@@ -220,4 +233,15 @@ if wanted plots && [ "$what" != list ]; then
     for table in speed label_speed surface_speed; do
         plot $table $table "${rows[@]}"
     done
+    plot hard_cases hard_cases --x "largest error of lambda: float" --names case --logarithmic x
+    plot rivals "$(marked rivals)" --x "rms speed, m/s" --y "deviation, %" \
+        --names "model and coefficient" --logarithmic x
+    plot coalescence "$(marked coalescence)" --x "deviation, %" --names "model and coefficient" \
+        --logarithmic x
+    plot dam_front "$(marked dam-front)" --x T --joined \
+        --y "measured Z,MPS,1250 particles,20000 particles"
+    plot iterations "$(marked iterations)" --x "pressure iterations" --names "surface tension" \
+        --series solver --panel scene
+    plot step_scaling "$(marked scaling)" --x particles --joined --logarithmic x \
+        --y "neighbors,density,divergence,surface tension,pressure,rest"
 fi

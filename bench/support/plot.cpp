@@ -35,10 +35,15 @@ Chart chart_of(const Table& table, const Plot& plot) {
 
 } // namespace
 
-void draw(const Table& table, const Plot& plot, const std::filesystem::path& folder) {
+std::string svg_of(const Table& table, const Plot& plot) {
     const Chart chart = chart_of(table, plot);
-    if (!chart.panels.empty())
-        write_whole(folder / plot.file, to_svg(draw_chart(chart)));
+    return chart.panels.empty() ? "" : to_svg(draw_chart(chart));
+}
+
+void draw(const Table& table, const Plot& plot, const std::filesystem::path& folder) {
+    const std::string svg = svg_of(table, plot);
+    if (!svg.empty())
+        write_whole(folder / plot.file, svg);
 }
 
 } // namespace meniscus

@@ -7,9 +7,13 @@
 
 namespace meniscus {
 
-/// Draws the plot into a folder as SVG; an existing file is replaced. Rows without one of the
-/// figures are left out, and where none is left nothing is drawn; those marked best (mark_best) are
-/// filled, and where rows have names theirs are there in any case. Throws as write_whole does.
+/// The plot as SVG. Rows without one of the figures are left out, and where none is left it is
+/// empty; those marked best (mark_best) are filled, and where rows have names theirs are there in
+/// any case.
+std::string svg_of(const Table& table, const Plot& plot);
+
+/// Writes that to a file of its name in a folder, in the place of one that is there, and nothing
+/// where it is empty. Throws as write_whole does.
 void draw(const Table& table, const Plot& plot, const std::filesystem::path& folder);
 
 } // namespace meniscus

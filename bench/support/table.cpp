@@ -151,6 +151,13 @@ void mark_best(Table& table, const std::vector<std::string>& keys, const std::st
         table.rows[row].emplace_back(marks[row]);
 }
 
+std::vector<std::string> texts_of(const Table& table, const std::vector<Cell>& row) {
+    std::vector<std::string> texts;
+    for (std::size_t k = 0; k < row.size(); ++k)
+        texts.push_back(cell_text(row[k], table.columns[k]));
+    return texts;
+}
+
 std::string markdown(const Table& table) {
     if (table.columns.empty())
         return "";

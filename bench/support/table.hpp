@@ -95,6 +95,9 @@ std::optional<double> figure(const Cell& cell);
 /// the best. Where `group` names a column, rows are compared only with those of equal text there.
 void mark_best(Table& table, const std::vector<std::string>& keys, const std::string& group = "");
 
+/// The cells of a row of the table, as markdown() prints them.
+std::vector<std::string> texts_of(const Table& table, const std::vector<Cell>& row);
+
 /// The table in Markdown, without its title and the texts around it; nothing without columns.
 std::string markdown(const Table& table);
 

@@ -77,6 +77,20 @@ TEST_F(Bench, QuietPrintsNothing) {
     EXPECT_TRUE(exists("speed_against_error.json"));
 }
 
+TEST_F(Bench, ReportIsOnePageWithTablesAndPlots) {
+    measure({save(block(4), "block.vtkhdf"), "--tables", "line", "--report", folder / "page.html"});
+    const std::string page = bytes_of(folder / "page.html");
+    EXPECT_EQ(page.rfind("<!doctype html>", 0), 0U);
+    expect_mentions(page, {"<h1>Speed against error</h1>", "<th><button>d</button></th>", "<svg",
+                           "1 states, 64 particles", "</html>"});
+    EXPECT_EQ(page.find("http"), page.find("http://www.w3.org/2000/svg")); // asks no network
+    EXPECT_EQ(page.find("src="), std::string::npos);
+    fail(2,
+         {"bench", folder / "block.vtkhdf", "-o", folder / "out", "--report",
+          folder / "block.vtkhdf"},
+         {"block.vtkhdf"});
+}
+
 TEST_F(Bench, BadInputIsNamed) {
     Snapshot snapshot = block(3);
     snapshot.support_radius.reset();

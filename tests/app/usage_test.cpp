@@ -9,8 +9,8 @@ namespace {
 
 using Usage = CommandLine;
 
-constexpr const char* verbs[] = {"simulate", "label", "train", "export",  "audit",
-                                 "classify", "demo",  "bench", "inspect", "picture"};
+constexpr const char* verbs[] = {"simulate", "label", "train",   "export",  "audit", "classify",
+                                 "demo",     "bench", "inspect", "picture", "study"};
 
 TEST_F(Usage, HelpOfEveryVerb) {
     const std::string overview = succeed({"--help"});
@@ -33,6 +33,14 @@ TEST_F(Usage, HelpIsWrappedAndHasExamples) {
     }
     EXPECT_EQ(succeed({"help"}), succeed({"--help"}));
     fail(2, {"help", "trian"}, {"'trian'", "did you mean 'train'?"});
+}
+
+TEST_F(Usage, LabelNamesWhatItReads) {
+    const std::string help = succeed({"label", "--help"});
+    for (const char* kind :
+         {".vtkhdf", ".vtk", ".vtu", ".vtp", ".bgeo", "PySPH", "GADGET", "H5Part", "LagrangeBench",
+          "CSV", ".ply", ".npy", ".xyz", "LAMMPS", "DeepLagrangianFluids"})
+        expect_mentions(help, {kind});
 }
 
 TEST_F(Usage, Version) {

@@ -1,6 +1,7 @@
 // What every comparison is made of: tables, the best of their rows, times, plots, and the line
 // among the detectors, which must be the one of the audit.
 #include "detectors/detector_comparison.hpp"
+#include "support/page.hpp"
 #include "support/plot.hpp"
 
 #include <data/expected_errors.hpp>
@@ -55,6 +56,16 @@ TEST(Table, MarkdownHasARowAMethod) {
     EXPECT_EQ(text.substr(0, text.find('\n')), "| method | ns | error, % | kind |");
     EXPECT_NE(text.find("| fast | 10 (9 to 12) | 5 | a |"), std::string::npos) << text;
     EXPECT_NE(text.find("| not measured | - | 1 | b |"), std::string::npos) << text;
+}
+
+TEST(Table, PageHasACellForEachFigure) {
+    Table table = methods();
+    table.title = "a < b & c";
+    const std::string page = tables_page("Title", "about <it>", {table});
+    for (const char* part :
+         {"<title>Title</title>", "<p>about &lt;it&gt;</p>", "<h2>a &lt; b &amp; c</h2>",
+          "<th><button>error, %</button></th>", "<td>fast</td><td>10 (9 to 12)</td><td>5</td>"})
+        EXPECT_NE(page.find(part), std::string::npos) << part;
 }
 
 TEST(Table, JsonKeepsAllDigits) {

@@ -75,6 +75,14 @@ if(TRAINER)
     expect_mention("${module}" "${prefix}")
 endif()
 
+# Studies are a part of a build with benchmarks.
+if(BENCHMARKS)
+    run(printed ${meniscus} study thin_shells -o ${WORK}/study --check)
+    expect_mention("${printed}" "| 10 | ball |")
+    run(printed ${meniscus} study --list)
+    expect_mention("${printed}" "liquid_crown")
+endif()
+
 # The Python module, with the models that it ships.
 if(PYTHON)
     run(printed ${CMAKE_COMMAND} -E env PYTHONPATH=${prefix}/${PYTHON_FOLDER} ${PYTHON} -B -c

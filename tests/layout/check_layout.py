@@ -22,7 +22,8 @@ MAY_INCLUDE = {
     "bindings": {"runtime"},
     "bindings/python": {"runtime", "data", "labeler", "classifier", "sph", "bindings", "app"},
     "plugins": {"runtime"},
-    "app": {"runtime", "data", "labeler", "classifier", "sph", "bindings", "bench"},
+    "app": {"runtime", "data", "labeler", "classifier", "sph", "bindings", "bench",
+            "validation"},
     # Plain oracles lie in tests/reference.
     "bench": {"runtime", "data", "labeler", "classifier", "sph", "bindings", "tests"},
     "validation": {"runtime", "data", "sph", "app", "bench"},

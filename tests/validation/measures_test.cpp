@@ -1,6 +1,8 @@
 // What studies measure, on series and shapes with known answers.
 #include "framework/measures.hpp"
+#include "jet_growth/rayleigh_rate.hpp"
 #include "liquid_crown/crown_shape.hpp"
+#include "water_glass/glass_shape.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -113,6 +115,71 @@ TEST(Measures, ACrownIsAsSteepAsItsWall) {
     for (auto& place : cone)
         place = {3, place[1], 0};
     EXPECT_NEAR(crown_slope(cone, 0.5), 90, 1e-9);
+}
+
+TEST(JetGrowth, TheFastestWaveIsNineRadiiLong) {
+    double fastest = 0;
+    for (double kr = 0.3; kr < 1; kr += 0.001)
+        if (rayleigh_rate(kr) > rayleigh_rate(fastest))
+            fastest = kr;
+    EXPECT_NEAR(fastest, 0.697, 0.0011);
+    EXPECT_NEAR(2 * 3.14159265358979 / fastest, 9.01, 0.02);
+    EXPECT_EQ(rayleigh_rate(1), 0); // as long as the jet is round
+}
+
+const Glass some_glass{1, 1.2, 2, 3};
+
+TEST(WaterGlass, AJetIsItsLargestBodyAndTheRestAreDroplets) {
+    Positions positions = {{0, 1.9, 0}, {0, 3.1, 0}}; // in the glass, in the channel
+    for (int k = 0; k < 8; ++k)
+        positions.push_back({0, 2.1 + 0.1 * k, 0});
+    positions.push_back({0.5, 2.5, 0});
+    positions.push_back({0.55, 2.5, 0});
+    positions.push_back({-0.5, 2.5, 0});
+    const Jet jet = jet_of(positions, some_glass, 0.15);
+    EXPECT_EQ(jet.particles, 11U);
+    EXPECT_EQ(jet.largest, 8U);
+    EXPECT_EQ(jet.droplets, 2U);
+    EXPECT_EQ(jet_of({}, some_glass, 0.15).particles, 0U);
+    EXPECT_EQ(in_glass(positions, some_glass), 1U);
+}
+
+/// A lattice that fills the glass up to a surface whose height is 1 within half the radius, and
+/// `rise` higher at the wall.
+Positions filled(double spacing, double rise) {
+    Positions positions;
+    const int reach = static_cast<int>(1.3 / spacing);
+    for (int i = -reach; i <= reach; ++i)
+        for (int k = -reach; k <= reach; ++k)
+            for (int j = 0; spacing * j < 2; ++j) {
+                const Place place = {spacing * i, spacing * (j + 0.5), spacing * k};
+                const double r = std::hypot(place[0], place[2]);
+                const double wall = some_glass.radius_at(place[1]);
+                const double top = r > wall - 3 * spacing ? 1 + rise : 1.0;
+                if (r < wall && place[1] + spacing / 2 < top + 1e-9)
+                    positions.push_back(place);
+            }
+    return positions;
+}
+
+TEST(WaterGlass, LevelAndRiseAreThoseOfTheFill) {
+    constexpr double spacing = 0.05;
+    for (const double rise : {-0.1, 0.0, 0.1}) {
+        Positions positions = filled(spacing, rise);
+        positions.push_back({0, 1.8, 0}); // a droplet above is no level
+        const auto level = level_in(positions, some_glass, spacing, 2.01 * spacing);
+        ASSERT_TRUE(level);
+        EXPECT_NEAR(level->height, 1, 1e-9);
+        EXPECT_NEAR(level->rise_at_wall, rise, 1e-9);
+    }
+    EXPECT_FALSE(level_in({}, some_glass, spacing, 0.1));
+    EXPECT_FALSE(level_in({{0, 1, 0}}, some_glass, spacing, 0.1)); // nothing at the wall
+}
+
+TEST(WaterGlass, AWallThatIsWetDrawsTheSurfaceUp) {
+    EXPECT_NEAR(rise_at_plane(90, 3), 0, 1e-9);
+    EXPECT_NEAR(rise_at_plane(30, 3), 3, 1e-9); // sqrt(2 (1 - 1/2))
+    EXPECT_NEAR(rise_at_plane(150, 3), -3, 1e-9);
 }
 
 } // namespace

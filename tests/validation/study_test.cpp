@@ -1,12 +1,15 @@
 // Plans of studies, runs that are kept, and results that are compared.
 #include "framework/run_study.hpp"
 #include "framework/run_tables.hpp"
+#include "framework/scene_runs.hpp"
+#include "framework/spread.hpp"
 #include "studies.hpp"
 
 #include "data/test_folder.hpp"
 
 #include <meniscus/data/text/errors.hpp>
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace meniscus {
@@ -51,7 +54,7 @@ protected:
         measured = 0;
         offset = 0;
     }
-    StudyPlan plan() { return read_plan(folder, "small"); }
+    StudyPlan plan() { return read_plan(folder, "small", "scenes"); }
     std::string error_of_plan(const std::string& text) {
         write("study.json", text);
         return error_of<InputError>([&] { plan(); });
@@ -65,7 +68,17 @@ TEST_F(Studies, RunEachCombinationOfTheirAxes) {
     EXPECT_EQ(read.runs[1].changes, (std::vector<std::string>{"a=1", "b=3"}));
     EXPECT_EQ(read.runs[2].name, "3D_one_fast");
     EXPECT_EQ(read.runs[2].numbers.at("size"), 3);
-    EXPECT_EQ(read_plan(folder, "paper").runs.size(), 1U);
+    EXPECT_EQ(read_plan(folder, "paper", "scenes").runs.size(), 1U);
+}
+
+TEST_F(Studies, NameScenesThatShipAndFilesBesideThem) {
+    Json json = Json::parse(some_study);
+    json["small"]["axes"][0]["values"][0]["scene"] = "../other/drop.json";
+    json["small"]["axes"][0]["values"][1]["scene"] = "dam_break";
+    write("study.json", json.dump());
+    const StudyPlan read = plan();
+    EXPECT_EQ(read.runs[0].scene, folder / "../other/drop.json");
+    EXPECT_EQ(read.runs[2].scene, "scenes/dam_break.json");
 }
 
 TEST_F(Studies, NameWhatIsWrong) {
@@ -121,19 +134,81 @@ TEST_F(Studies, ShowFailuresInTheirTables) {
     EXPECT_NE(text.find("| 3D | two | 3.0 |"), std::string::npos) << text;
 }
 
+TEST_F(Studies, HaveTheirStatesDrawn) {
+    study.measure = [](const StudyRun&, const Workplace& place) -> Json {
+        place.draw("frame.vtkhdf");
+        return {{"value", 1}};
+    };
+    run_study(study, plan(), options); // nobody draws
+    std::vector<std::string> drawn;
+    options.work = folder / "other";
+    std::filesystem::create_directories(options.work);
+    options.draw = [&](const auto& frame, const auto& picture, const std::string& title) {
+        EXPECT_EQ(frame, "frame.vtkhdf");
+        drawn.push_back(picture.filename().string() + ": " + title);
+    };
+    run_study(study, plan(), options);
+    ASSERT_EQ(drawn.size(), 4U);
+    EXPECT_EQ(drawn[0], "2D_one_fast.png: drop 2D, solver one, fast");
+    EXPECT_EQ(picture_file(plan().runs[0], options.work), options.work / "2D_one_fast.png");
+}
+
+TEST_F(Studies, PutRunsTogetherThatDifferInTheirSeed) {
+    const auto run = [](const char* way, const char* seed, const Json& figures) -> Json {
+        return {{"labels", {{"way", way}, {"seed", seed}}}, {"figures", figures}};
+    };
+    const Json result = {
+        {"runs",
+         {run("a", "0", {{"value", 1.0}}), run("a", "1", {{"value", 4.0}}),
+          run("a", "2", {{"failure", "diverged"}}), run("b", "0", Json::object())}}};
+    const auto all = by_seeds(result, {"way"});
+    ASSERT_EQ(all.size(), 2U);
+    EXPECT_EQ(all[0].values("value"), (std::vector<double>{1, 4}));
+    const std::string text = markdown(table_of_spread("some", result, "way", "value {:.1f}"));
+    EXPECT_NE(text.find("| a | 2 of 3 | 2.5 / 1.0 / 4.0 |"), std::string::npos) << text;
+    EXPECT_NE(text.find("| b | 1 of 1 | - |"), std::string::npos) << text;
+}
+
+TEST(Spread, ASeedMovesTheLastBodyByAThousandthOfASpacing) {
+    Scene scene;
+    scene.particle_spacing = 0.1;
+    scene.fluid = {{BoxShape{{0, 0, 0}, {1, 1, 1}, {}}, {}},
+                   {SphereShape{{1, 2, 3}, {1, 1, 1}}, {}}};
+    const auto center = [&](double seed) {
+        return std::get<SphereShape>(disturbed(scene, seed).fluid[1].shape).center;
+    };
+    EXPECT_EQ(center(0), (Place{1, 2, 3}));
+    EXPECT_NEAR(std::hypot(center(1)[0] - 1, center(1)[2] - 3), 1e-4, 1e-15);
+    EXPECT_EQ(center(1)[1], 2);
+    EXPECT_NE(center(1), center(2));
+    EXPECT_EQ(std::get<BoxShape>(disturbed(scene, 1).fluid[0].shape).low, (Place{0, 0, 0}));
+}
+
 TEST(ShippedStudies, HavePlansReferencesAndScenes) {
     for (const Study& study : all_studies()) {
         const std::filesystem::path folder =
             std::filesystem::path(MENISCUS_VALIDATION) / study.name;
         for (const char* size : {"small", "paper"})
-            for (const StudyRun& run : read_plan(folder, size).runs)
-                EXPECT_TRUE(run.scene.empty() || std::filesystem::exists(run.scene)) << run.scene;
+            for (const StudyRun& run : read_plan(folder, size, MENISCUS_SCENES).runs)
+                if (!run.scene.empty())
+                    EXPECT_NO_THROW(scene_of(run)) << study.name << " " << run.name;
         const auto file = folder / "reference.json";
         const Json reference =
             parse_json(text_of_file(file, "a reference"), file.string(), "a reference");
         for (const auto& [name, number] : reference.at("numbers").items())
             EXPECT_FALSE(number.at("source").get<std::string>().empty()) << name;
     }
+}
+
+TEST(ShippedStudies, NameNoFileOfTheMachineThatRanThem) {
+    for (const auto& folder : std::filesystem::directory_iterator(MENISCUS_VALIDATION))
+        for (const char* size : {"small.json", "paper.json"}) {
+            const auto file = folder.path() / size;
+            if (std::filesystem::exists(file)) {
+                EXPECT_EQ(text_of_file(file, "a result").find(".vtkhdf"), std::string::npos)
+                    << file;
+            }
+        }
 }
 
 } // namespace

@@ -54,6 +54,7 @@ Json measure(const StudyRun& run, const Workplace& place) {
         figures["failure"] = done.failure;
         return figures;
     }
+    place.draw(done.frames.back());
     const std::vector<double>& times = done.log.at("time");
     const std::vector<double>& speeds = done.log.at("mean_speed");
     const double end = 0.8 * done.scene.duration;

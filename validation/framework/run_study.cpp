@@ -8,6 +8,7 @@
 #include <meniscus/data/threads/threads.hpp>
 #include <meniscus/runtime/version.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <fmt/format.h>
@@ -41,6 +42,14 @@ Json labels_of(const StudyRun& run) {
     return labels;
 }
 
+/// The values of its axes.
+std::string title_of(const StudyRun& run) {
+    std::string title;
+    for (const auto& [axis, value] : run.labels)
+        title += fmt::format("{}{} {}", title.empty() ? "" : ", ", axis, value);
+    return title;
+}
+
 /// What the file has of the run, where it is of these settings.
 std::optional<Json> kept(const fs::path& file, const Json& settings) {
     if (!fs::exists(file))
@@ -55,6 +64,10 @@ Json measured(const Study& study, const StudyRun& run, const Json& settings,
               const StudyOptions& options) {
     const auto start = std::chrono::steady_clock::now();
     Workplace place{options.work / run.name, options.threads, options.stop};
+    if (options.draw)
+        place.draw = [&](const fs::path& frame) {
+            options.draw(frame, picture_file(run, options.work), title_of(run));
+        };
     fs::create_directories(place.folder);
     const Json figures = study.measure(run, place);
     if (!options.keep_frames)
@@ -63,7 +76,8 @@ Json measured(const Study& study, const StudyRun& run, const Json& settings,
     return {{"labels", labels_of(run)},
             {"settings", settings},
             {"figures", figures},
-            {"seconds", std::round(10 * passed.count()) / 10}};
+            {"seconds", std::round(10 * passed.count()) / 10},
+            {"peak_memory_mib", std::round(peak_bytes() / (1 << 20))}};
 }
 
 const Json* run_of(const Json& result, const Json& labels) {
@@ -99,9 +113,14 @@ void compare(const std::string& name, const Json& figures, const Json& committed
 
 } // namespace
 
+fs::path picture_file(const StudyRun& run, const fs::path& work) {
+    return work / (run.name + ".png");
+}
+
 Json run_study(const Study& study, const StudyPlan& plan, const StudyOptions& options) {
     Json runs = Json::array();
     double seconds = 0;
+    double memory = 0;
     for (std::size_t n = 0; n < plan.runs.size(); ++n) {
         const StudyRun& run = plan.runs[n];
         const fs::path file = options.work / (run.name + ".json");
@@ -114,6 +133,7 @@ Json run_study(const Study& study, const StudyPlan& plan, const StudyOptions& op
             write_whole(file, done->dump(1) + "\n");
         }
         seconds += (*done)["seconds"].get<double>();
+        memory = std::max(memory, done->value("peak_memory_mib", 0.0));
         runs.push_back(*done);
     }
     return {{"study", study.name},
@@ -123,7 +143,7 @@ Json run_study(const Study& study, const StudyPlan& plan, const StudyOptions& op
             {"machine", Json::parse(machine().dump())},
             {"threads", thread_count(options.threads)},
             {"hours", seconds / 3600},
-            {"peak_memory_mib", std::round(peak_bytes() / (1 << 20))},
+            {"peak_memory_mib", memory},
             {"runs", runs}};
 }
 

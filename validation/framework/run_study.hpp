@@ -16,7 +16,14 @@ struct StudyOptions {
     std::function<bool()> stop = [] { return false; };
     /// Called before each run that is not there yet, with its number from 1 on.
     std::function<void(const StudyRun&, std::size_t number, std::size_t all)> on_run;
+    /// Draws a frame as a picture (work/RUN.png); nothing is drawn without it.
+    std::function<void(const std::filesystem::path& frame, const std::filesystem::path& picture,
+                       const std::string& title)>
+        draw;
 };
+
+/// Where the picture of a run lies, if one was drawn.
+std::filesystem::path picture_file(const StudyRun& run, const std::filesystem::path& work);
 
 /// The result. A run that the work folder holds, made from the same settings by the same version of
 /// the program, is taken as it is. Throws Stopped, InputError and FailureError.

@@ -59,7 +59,7 @@ double published(const Json& reference, const std::string& key) {
 }
 
 Table table_of_sources(const Json& reference) {
-    Table table = table_of("sources", "published or exact | value {:.4g} | source");
+    Table table = table_of("sources", "published or exact | value {:.6g} | source");
     for (const auto& [key, number] : reference.at("numbers").items())
         table.add({key, cell_of(number.at("value")), number.at("source").get<std::string>()});
     return table;

@@ -26,6 +26,11 @@ RunLog read_log(const std::filesystem::path& file) {
     return log;
 }
 
+/// The frame that a failure names lies in the work folder, and is gone when somebody reads it.
+std::string without_frame(const std::string& failure) {
+    return failure.substr(0, failure.find("; the last good frame"));
+}
+
 } // namespace
 
 Scene scene_of(const StudyRun& run) {
@@ -44,7 +49,7 @@ SceneRun run_to_end(const Scene& scene, const Workplace& place) {
         if (!done.result.finished)
             throw Stopped{};
     } catch (const Divergence& divergence) {
-        done.failure = divergence.what();
+        done.failure = without_frame(divergence.what());
     }
     done.log = read_log(log_file(scene, place.folder));
     for (std::size_t frame = 0; frame < done.log["frame"].size(); ++frame)

@@ -19,15 +19,26 @@ std::string file_part(const std::string& label) {
     return part;
 }
 
+/// Where scenes lie.
+struct Folders {
+    std::filesystem::path study;
+    std::filesystem::path scenes; ///< those that ship
+};
+
+std::filesystem::path scene_file(const std::string& name, const Folders& folders) {
+    const std::filesystem::path file = name;
+    return file.extension() == ".json" ? folders.study / file : folders.scenes / (name + ".json");
+}
+
 /// The run with what the value says besides.
 StudyRun with_value(StudyRun run, const std::string& axis, const JsonReader& value,
-                    const std::filesystem::path& folder) {
+                    const Folders& folders) {
     value.expect_only({"name", "scene", "variant", "set", "numbers"});
     const std::string name = value.text("name");
     run.labels.emplace_back(axis, name);
     run.name += (run.name.empty() ? "" : "_") + file_part(name);
     if (value.has("scene"))
-        run.scene = folder / value.text("scene");
+        run.scene = scene_file(value.text("scene"), folders);
     if (value.has("variant"))
         run.variant = value.text("variant");
     if (value.has("set"))
@@ -42,14 +53,14 @@ StudyRun with_value(StudyRun run, const std::string& axis, const JsonReader& val
 }
 
 /// Every combination of one value of each axis, the last one changing fastest.
-std::vector<StudyRun> combined(const JsonReader& size, const std::filesystem::path& folder) {
+std::vector<StudyRun> combined(const JsonReader& size, const Folders& folders) {
     std::vector<StudyRun> runs(1);
     for (const JsonReader& axis : size.objects("axes")) {
         axis.expect_only({"name", "values"});
         std::vector<StudyRun> more;
         for (const StudyRun& run : runs)
             for (const JsonReader& value : axis.objects("values"))
-                more.push_back(with_value(run, axis.text("name"), value, folder));
+                more.push_back(with_value(run, axis.text("name"), value, folders));
         runs = std::move(more);
     }
     return runs;
@@ -67,7 +78,8 @@ void refuse_equal_names(const std::vector<StudyRun>& runs, const JsonReader& siz
 
 } // namespace
 
-StudyPlan read_plan(const std::filesystem::path& folder, const std::string& size) {
+StudyPlan read_plan(const std::filesystem::path& folder, const std::string& size,
+                    const std::filesystem::path& scenes) {
     const std::filesystem::path file = folder / "study.json";
     const Json json = parse_json(text_of_file(file, "a study (JSON)"), file.string(), "a study");
     const JsonReader reader(json, file.string(), "");
@@ -76,7 +88,7 @@ StudyPlan read_plan(const std::filesystem::path& folder, const std::string& size
     of_size.expect_only({"axes"});
     StudyPlan plan;
     plan.title = reader.text("title");
-    plan.runs = combined(of_size, folder);
+    plan.runs = combined(of_size, {folder, scenes});
     refuse_equal_names(plan.runs, of_size);
     const JsonReader compared = reader.object_at("compared");
     for (const auto& [figure, within] : reader.value("compared").items())

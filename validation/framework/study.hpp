@@ -39,23 +39,28 @@ struct StudyPlan {
     std::map<std::string, double> compared;
 };
 
-/// The plan of the study in that folder; `size` is "small" or "paper". Scenes are named relative to
-/// the folder. Throws InputError, naming file and key, where one is unknown, missing or wrong.
-StudyPlan read_plan(const std::filesystem::path& folder, const std::string& size);
+/// The plan of the study in that folder; `size` is "small" or "paper". A scene is a file (*.json)
+/// relative to the folder, or the name of one in the folder `scenes`. Throws InputError, naming
+/// file and key, where one is unknown, missing or wrong.
+StudyPlan read_plan(const std::filesystem::path& folder, const std::string& size,
+                    const std::filesystem::path& scenes);
 
 /// Where a run works, and when it is to stop.
 struct Workplace {
     std::filesystem::path folder; ///< of this run alone; exists
     int threads = 0;              ///< 0: all cores
     std::function<bool()> stop = [] { return false; };
+    /// Makes a state that the run has written its picture.
+    std::function<void(const std::filesystem::path& frame)> draw = [](const auto&) {};
 };
 
 /// Thrown by a measurement that was told to stop: what it has done is kept.
 struct Stopped {};
 
 /// A result: {"study", "size", "program", "machine", "threads", "hours", "peak_memory_mib",
-/// "runs": [{"labels", "settings", "figures", "seconds"}]}. Figures are by name numbers, lists of
-/// numbers, or one text "failure".
+/// "runs": [{"labels", "settings", "figures", "seconds", "peak_memory_mib"}]}, memory being the
+/// most that the process had taken by then. Figures are by name numbers, lists of numbers, or one
+/// text "failure".
 struct Study {
     const char* name; ///< of its folder
     const char* help; ///< half a sentence

@@ -5,6 +5,7 @@
 #include "framework/measures.hpp"
 #include "framework/run_tables.hpp"
 #include "framework/scene_runs.hpp"
+#include "framework/spread.hpp"
 #include "studies.hpp"
 
 #include <meniscus/data/formats/vtkhdf.hpp>
@@ -31,13 +32,14 @@ std::size_t crown_frame(const SceneRun& done) {
 }
 
 Json measure(const StudyRun& run, const Workplace& place) {
-    const SceneRun done = run_to_end(scene_of(run), place);
+    const SceneRun done = run_to_end(disturbed(scene_of(run), run.numbers.at("seed")), place);
     Json figures = {{"particles", done.log.at("particles").front()}};
     if (!done.failure.empty()) {
         figures["failure"] = done.failure;
         return figures;
     }
     const std::size_t frame = crown_frame(done);
+    place.draw(done.frames[frame]);
     const std::vector<double>& bodies = done.log.at("bodies");
     const double pool = run.numbers.at("pool_depth");
     figures["highest after, s"] = done.log.at("time")[frame];
@@ -51,29 +53,36 @@ Json measure(const StudyRun& run, const Workplace& place) {
     return figures;
 }
 
-const Json* run_with(const Json& result, const std::string& solver, const std::string& force) {
-    for (const Json& run : result.at("runs"))
-        if (label_of(run, "solver") == solver && label_of(run, "force") == force)
-            return &run;
-    return nullptr;
+/// Runs of a result, by solver and force.
+Seeds runs_with(const Json& result, const std::string& solver, const std::string& force) {
+    for (const Seeds& seeds : by_seeds(result, {"solver", "force"}))
+        if (seeds.labels == std::vector<std::string>{solver, force})
+            return seeds;
+    return {};
 }
 
-/// A figure of two runs, as text and whether the first is larger.
+/// A figure of two sets of runs, as text and whether all of the first are larger.
 struct Compared {
     std::string found;
     int larger = 0;
     int pairs = 0;
 
-    void add(const std::string& name, const Json* one, const Json* other, const char* figure) {
-        const auto a = one == nullptr ? std::nullopt : figure_of(*one, figure);
-        const auto b = other == nullptr ? std::nullopt : figure_of(*other, figure);
-        if (!a || !b)
+    void add(const std::string& name, const Seeds& one, const Seeds& other, const char* figure) {
+        const std::vector<double> a = one.values(figure);
+        const std::vector<double> b = other.values(figure);
+        if (a.empty() || b.empty())
             return;
-        found += fmt::format("{}{}: {:.2f} and {:.2f}", found.empty() ? "" : "; ", name, *a, *b);
-        larger += *a > *b ? 1 : 0;
+        found += fmt::format("{}{}: {:.2f} and {:.2f}", found.empty() ? "" : "; ", name,
+                             mean_and_deviation(a).mean, mean_and_deviation(b).mean);
+        const bool apart =
+            *std::min_element(a.begin(), a.end()) > *std::max_element(b.begin(), b.end());
+        larger += apart ? 1 : 0;
         ++pairs;
     }
     [[nodiscard]] bool all() const { return pairs > 0 && larger == pairs; }
+    [[nodiscard]] std::string text() const {
+        return fmt::format("in {} of {} pairs for every seed: {}", larger, pairs, found);
+    }
 };
 
 Table findings(const Json& result) {
@@ -87,26 +96,26 @@ Table findings(const Json& result) {
           std::pair{"Huber 2015, 0.02", "Huber 2015, 0.08"},
           std::pair{"He 2014, 0.2", "He 2014, 1.8"}, std::pair{"ours, 20", "ours, 100"}}) {
         const char* const height = "height over the pool, m";
-        heights.add(fmt::format("{} and {}", low, high), run_with(result, "IISPH", low),
-                    run_with(result, "IISPH", high), height);
-        by_solver.add(high, run_with(result, "IISPH", high), run_with(result, "WCSPH", high),
+        heights.add(fmt::format("{} and {}", low, high), runs_with(result, "IISPH", low),
+                    runs_with(result, "IISPH", high), height);
+        by_solver.add(high, runs_with(result, "IISPH", high), runs_with(result, "WCSPH", high),
                       height);
-        droplets.add(high, run_with(result, "IISPH", high), run_with(result, "WCSPH", high),
+        droplets.add(high, runs_with(result, "IISPH", high), runs_with(result, "WCSPH", high),
                      "most droplets");
     }
     add_finding(table, "the crown is higher with a lower coefficient (section 6.2), m",
-                heights.found, heights.all());
-    add_finding(table, "with IISPH it is higher than with WCSPH, m", by_solver.found,
+                heights.text(), heights.all());
+    add_finding(table, "with IISPH it is higher than with WCSPH, m", by_solver.text(),
                 by_solver.all());
-    add_finding(table, "and more droplets come loose", droplets.found, droplets.all());
+    add_finding(table, "and more droplets come loose", droplets.text(), droplets.all());
     return table;
 }
 
 std::vector<Table> tables(const Json& result, const Json& /*reference*/) {
-    return {table_of_runs("liquid_crown", result, "solver | force",
-                          "particles {:.0f} | highest after, s {:.2f} | height over the pool, m "
-                          "{:.2f} | slope, degrees {:.0f} | droplets then {:.0f} | most droplets "
-                          "{:.0f} | mean speed, m/s {:.3f}"),
+    return {table_of_spread("liquid_crown", result, "solver | force",
+                            "highest after, s {:.2f} | height over the pool, m "
+                            "{:.2f} | slope, degrees {:.0f} | droplets then {:.0f} | most droplets "
+                            "{:.0f} | mean speed, m/s {:.3f}"),
             findings(result)};
 }
 

@@ -4,12 +4,15 @@
 #include "framework/drops_at_rest.hpp"
 #include "framework/measures.hpp"
 #include "framework/run_tables.hpp"
+#include "framework/spread.hpp"
 #include "studies.hpp"
 
 #include <meniscus/data/formats/vtkhdf.hpp>
 #include <meniscus/runtime/math/angles.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace meniscus {
 namespace {
@@ -74,11 +77,34 @@ Json measure(const StudyRun& run, const Workplace& place) {
     return figures;
 }
 
-std::vector<Table> tables(const Json& result, const Json& /*reference*/) {
+/// A row for each drop and swing: how far the periods of its runs are off, and how many ended.
+Table table_of_swings(const Json& result) {
+    Table table = table_of("oscillation_swings",
+                           "drop | swing | runs that came to their end | period off, % {:+.1f} | "
+                           "left a period later {:.2f} | left by viscosity alone {:.2f}");
+    for (const Seeds& runs : by_seeds(result, {"drop", "swing"})) {
+        const auto range = [&](const char* figure) -> Cell {
+            const std::vector<double> values = runs.values(figure);
+            if (values.empty())
+                return {};
+            const auto [least, most] = std::minmax_element(values.begin(), values.end());
+            return Figures{*least, *most};
+        };
+        table.add({runs.labels[0], runs.labels[1],
+                   fmt::format("{} of {}", runs.values("period, s").size(), runs.runs.size()),
+                   range("period off, %"), range("left a period later"),
+                   range("left by viscosity alone")});
+    }
+    table.before = "Least / most of the runs of a swing.\n\n";
+    return table;
+}
+
+std::vector<Table> tables(const Json& result, const Json& reference) {
     return {table_of_runs("oscillation", result, "drop | solver | steps | swing",
                           "particles {:.0f} | Lamb's period, s {:.3f} | period, s {:.3f} | period "
                           "off, % {:+.1f} | left a period later {:.2f} | left by viscosity alone "
-                          "{:.2f}")};
+                          "{:.2f}"),
+            table_of_swings(result), table_of_sources(reference)};
 }
 
 } // namespace
