@@ -78,7 +78,9 @@ TEST_F(Bench, QuietPrintsNothing) {
 }
 
 TEST_F(Bench, ReportIsOnePageWithTablesAndPlots) {
-    measure({save(block(4), "block.vtkhdf"), "--tables", "line", "--report", folder / "page.html"});
+    const Json result = measure(
+        {save(block(4), "block.vtkhdf"), "--tables", "line", "--report", folder / "page.html"});
+    EXPECT_FALSE(result.empty());
     const std::string page = bytes_of(folder / "page.html");
     EXPECT_EQ(page.rfind("<!doctype html>", 0), 0U);
     expect_mentions(page, {"<h1>Speed against error</h1>", "<th><button>d</button></th>", "<svg",

@@ -103,7 +103,7 @@ protected:
 };
 
 TEST_F(Slabs, LabelsAreTheSameOnAnyNumberOfRanks) {
-    Snapshot state = scattered(20'000);
+    Snapshot state = scattered(40'000);
     state.positions[11][2] = std::nan("");
     for (const bool has_phases : {false, true}) {
         if (has_phases) { // the spacing is measured by itself then
@@ -138,7 +138,7 @@ TEST_F(Slabs, ParticlesInOnePlaceAreNoMeasureOfTheSpacing) {
 }
 
 TEST_F(Slabs, ProgressEndsAtThisRanksParticles) {
-    const Snapshot state = scattered(20'000);
+    const Snapshot state = scattered(40'000);
     LabelOptions options;
     options.threads = 1;
     std::size_t most = 0;

@@ -478,6 +478,9 @@ TEST_F(SceneFile, HasTheOptionsOfTheTable) {
         for_each_surface_option([&](const auto& option) {
             auto expected = paper ? paper_options() : SurfaceTensionOptions{};
             set_line(expected, {40, 18});
+            if (!paper)
+                expected.ambient_pressure =
+                    default_ambient_pressure(true); // the full scene has walls
             set_other(option, expected);
             const std::string text = with_option(paper, option, expected.*option.member);
             if (option.name == std::string("surface_tension") ||

@@ -190,8 +190,9 @@ TEST(ShippedStudies, HavePlansReferencesAndScenes) {
             std::filesystem::path(MENISCUS_VALIDATION) / study.name;
         for (const char* size : {"small", "paper"})
             for (const StudyRun& run : read_plan(folder, size, MENISCUS_SCENES).runs)
-                if (!run.scene.empty())
+                if (!run.scene.empty()) {
                     EXPECT_NO_THROW(scene_of(run)) << study.name << " " << run.name;
+                }
         const auto file = folder / "reference.json";
         const Json reference =
             parse_json(text_of_file(file, "a reference"), file.string(), "a reference");

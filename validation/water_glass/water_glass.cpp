@@ -140,11 +140,14 @@ void add_compared(Table& table, const std::string& finding, const Json& result,
     bool holds = true;
     for (const std::string& force : forces) {
         const Json* run = run_of_force(result, force);
-        const auto value = run == nullptr ? std::nullopt : figure_of(*run, figure);
+        std::optional<double> value;
+        if (run != nullptr)
+            value = figure_of(*run, figure);
         found += fmt::format("{}{}: {}", found.empty() ? "" : "; ", force,
                              value ? fmt::format("{:.1f}", *value) : "-");
-        holds = holds && value && (found.find(';') == std::string::npos || *first > *value);
-        if (found.find(';') == std::string::npos)
+        const bool is_first = &force == &forces.front();
+        holds = holds && value.has_value() && (is_first || first.value_or(0) > value.value_or(0));
+        if (is_first)
             first = value;
     }
     add_finding(table, finding, found, holds);
