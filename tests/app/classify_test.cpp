@@ -363,7 +363,7 @@ TEST_F(Classify, EachOptionIsThatOfTheRuntime) {
         EXPECT_TRUE(text == noted || std::stod(text) == std::stod(noted)) << flag << noted;
         ++options;
     });
-    EXPECT_EQ(options, 13);
+    EXPECT_EQ(options, 14);
 }
 
 TEST_F(Classify, NamesTheRangeOfEachOption) {
