@@ -36,6 +36,7 @@ Scene drop_on_wall(int dimension, double contact_angle) {
     scene.surface_tension.model = "meniscus";
     scene.surface_tension.coefficient = sigma;
     scene.surface_tension.surface.contact_angle = contact_angle;
+    scene.surface_tension.surface.ambient_pressure = default_ambient_pressure(true);
     scene.time_step.max = default_max_time_step(spacing);
     scene.duration = dimension == 2 ? 0.06 : 0.02;
     scene.frame_interval = scene.duration;
