@@ -125,7 +125,8 @@ struct StateInSlabs::Work {
         std::vector<double> rounds = {
             std::ceil(static_cast<double>(end - begin) / static_cast<double>(at_once))};
         ranks.max(rounds);
-        for (double round = 0; round < rounds[0]; ++round) {
+        const auto most = static_cast<std::uint64_t>(rounds[0]);
+        for (std::uint64_t round = 0; round < most; ++round) {
             do_together(ranks, [&] {
                 if (begin < end)
                     visit(begin, std::min(at_once, end - begin));
