@@ -113,8 +113,8 @@ typedef struct meniscus_options {
     double contact_angle;    /* at which the surface meets a wall when both are at rest, in degrees,
                                 measured in the fluid, 10 to 170 */
     double ambient_pressure; /* of the air, in (D - 1) sigma / h, 0 to 10: for hosts that clip
-                                negative pressures; of the calibrated force, and where all
-                                particles have one support radius */
+                                negative pressures, and where all particles have one
+                                support radius */
     const meniscus_second_line* second_line;     /* NULL: none, unless k and d are NaN */
     const meniscus_curvature_map* curvature_map; /* NULL: the one that ships for the dimension */
     int coverage;                                /* meniscus_coverage */

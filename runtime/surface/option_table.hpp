@@ -79,8 +79,7 @@ inline constexpr OptionRange force = {0, 1, "paper or calibrated", {"paper", "ca
     ROW(contact_angle, contact_angle, false, "degrees",                                            \
         "At which the surface meets a wall when both are at rest, measured in the fluid")          \
     ROW(ambient_pressure, pressure, false, "(D - 1) sigma / h",                                    \
-        "Of the air, which keeps the fluid's own pressure above zero where the surface is hollow; " \
-        "of the calibrated force")
+        "Of the air, which keeps the fluid's own pressure above zero where the surface is hollow")
 // clang-format on
 
 /// A row of the table.

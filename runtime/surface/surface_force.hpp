@@ -14,10 +14,10 @@
 // outside of that sheet and is larger by (1 + kappa_sheet spacing / 2)^(D - 1). In two dimensions
 // forces are per depth, N/m.
 //
-// The calibrated form may add the pressure of the air, p_0 = `ambient_pressure` (D - 1) sigma / h,
-// on the same pieces. It changes nothing but the zero of the fluid's pressure, which is what it is
-// for: below a hollow surface, and where fluid hangs higher than its level, pressure is lower than
-// that of the air, and a solver that clips what is below zero lets such fluid fall.
+// Both forms may add the pressure of the air, p_0 = `ambient_pressure` (D - 1) sigma / h, on the
+// same pieces. It changes nothing but the zero of the fluid's pressure, which is what it is for:
+// below a hollow surface, and where fluid hangs higher than its level, pressure is lower than that
+// of the air, and a solver that clips what is below zero lets such fluid fall.
 #pragma once
 
 #include "curvature_map.hpp"
@@ -89,12 +89,13 @@ void find_force(const SurfaceTensionOptions& options, const Radii& radii, const 
             const Real radius = radii.of(list.particle[slot]);
             const Real spacing = radius * to_spacing;
             const Real curvature = list.curvature[slot];
+            const Real air = ambient / radius; // a curvature with that pressure
             const Real size =
                 options.force == ForceForm::calibrated
-                    ? calibrated_size<Dimension>(sigma, curvature + ambient / radius,
-                                                 list.turning[slot], sheet_area(list, slot), radius,
-                                                 spacing)
-                    : paper_size<Dimension>(sigma, curvature, spacing, list.weight[slot]);
+                    ? calibrated_size<Dimension>(sigma, curvature + air, list.turning[slot],
+                                                 sheet_area(list, slot), radius, spacing)
+                    : paper_size<Dimension>(sigma, curvature + (Dimension - 1) * air, spacing,
+                                            list.weight[slot]);
             for (std::size_t axis = 0; axis < Dimension; ++axis)
                 list.force[slot][axis] = -size * list.normal[slot][axis];
         }

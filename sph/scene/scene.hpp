@@ -97,8 +97,8 @@ struct PressureOptions {
 };
 
 /// Of the air, in (D - 1) sigma / h: what drops and necks need, and what menisci and fluid that
-/// rises in a gap do. It is not more than that, since it makes surfaces stiffer: a tenth takes one
-/// to two percent off the period of a drop that swings.
+/// rises in a gap do. It is not more than that, since it makes surfaces stiffer: drops swing faster
+/// with it (docs/studies.md).
 constexpr double default_ambient_pressure(bool has_walls) {
     return has_walls ? 0.5 : 0.1;
 }

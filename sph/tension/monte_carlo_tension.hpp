@@ -189,9 +189,7 @@ public:
 
     [[nodiscard]] double ambient_pressure() const override {
         const SurfaceTensionOptions& settings = tension.options();
-        return settings.force == ForceForm::calibrated
-                   ? settings.ambient_pressure * (Dimension - 1) * settings.surface_tension
-                   : 0; // h is 1
+        return settings.ambient_pressure * (Dimension - 1) * settings.surface_tension; // h is 1
     }
 
 private:

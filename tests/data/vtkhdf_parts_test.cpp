@@ -1,4 +1,5 @@
 // Snapshot files in parts: what is read of some rows, and what is written as it is fetched.
+#include "fetched_snapshot.hpp"
 #include "test_folder.hpp"
 
 #include <meniscus/data/formats/vtkhdf.hpp>
@@ -27,36 +28,6 @@ Snapshot sample(std::size_t particles) {
     snapshot.scene = "parts";
     snapshot.provenance["made"] = "by a test";
     return snapshot;
-}
-
-/// Some of the values of an array.
-ArrayValues some_of(const PointArray& array, std::uint64_t first, std::uint64_t count) {
-    return std::visit(
-        [&](const auto& values) -> ArrayValues {
-            const auto width = static_cast<std::uint64_t>(array.components);
-            const auto begin = values.begin() + static_cast<std::ptrdiff_t>(first * width);
-            return std::decay_t<decltype(values)>(
-                begin, begin + static_cast<std::ptrdiff_t>(count * width));
-        },
-        array.values);
-}
-
-FetchedSnapshot fetched_from(const Snapshot& snapshot, std::uint64_t rows_at_once) {
-    FetchedSnapshot fetched;
-    fetched.frame = snapshot;
-    fetched.frame.positions.clear();
-    for (PointArray& array : fetched.frame.point_data)
-        std::visit([](auto& values) { values.clear(); }, array.values);
-    fetched.size = snapshot.size();
-    fetched.rows_at_once = rows_at_once;
-    fetched.positions = [&](std::uint64_t first, std::uint64_t count) {
-        const auto begin = snapshot.positions.begin() + static_cast<std::ptrdiff_t>(first);
-        return Positions(begin, begin + static_cast<std::ptrdiff_t>(count));
-    };
-    fetched.values = [&](std::size_t place, std::uint64_t first, std::uint64_t count) {
-        return some_of(snapshot.point_data[place], first, count);
-    };
-    return fetched;
 }
 
 using VtkhdfParts = TestFolder;

@@ -1,5 +1,6 @@
 // Work in slabs finds what work in one pass does, on any number of ranks, and what ranks pack
 // together is the file that one writes.
+#include "data/fetched_snapshot.hpp"
 #include "data/test_folder.hpp"
 #include "ranks_of_threads.hpp"
 
@@ -164,29 +165,6 @@ TEST_F(Slabs, AFaultOnOneRankIsThrownOnAll) {
     EXPECT_EQ(thrown, 3);
 }
 
-/// A snapshot fetched from memory.
-FetchedSnapshot fetched(const Snapshot& whole) {
-    FetchedSnapshot part;
-    part.frame = rows_of(whole).frame;
-    part.size = whole.size();
-    part.rows_at_once = 50'000;
-    part.positions = [&whole](std::uint64_t first, std::uint64_t count) {
-        return rows_of(whole).read(first, count, {}).positions;
-    };
-    part.values = [&whole](std::size_t place, std::uint64_t first, std::uint64_t count) {
-        const PointArray& array = whole.point_data[place];
-        return std::visit(
-            [&](const auto& values) -> ArrayValues {
-                const auto width = static_cast<std::uint64_t>(array.components);
-                const auto begin = values.begin() + static_cast<std::ptrdiff_t>(first * width);
-                return std::decay_t<decltype(values)>(
-                    begin, begin + static_cast<std::ptrdiff_t>(count * width));
-            },
-            array.values);
-    };
-    return part;
-}
-
 TEST_F(Slabs, PackedTogetherIsTheSameFile) {
     for (const std::size_t count : {0U, 3U, 100U, 300'000U}) {
         Snapshot state = scattered(count);
@@ -197,7 +175,7 @@ TEST_F(Slabs, PackedTogetherIsTheSameFile) {
         write_vtkhdf(state, folder / "whole.vtkhdf");
         for (const int number : {1, 2, 3, 7}) {
             on_thread_ranks(number, [&](Ranks& ranks) {
-                const FetchedSnapshot part = fetched(state);
+                const FetchedSnapshot part = fetched_from(state, 50'000);
                 const PackedDatasets packed = pack_vtkhdf(part, folder, ranks);
                 if (ranks.rank() == 0)
                     write_vtkhdf(part, packed, folder / "packed.vtkhdf");

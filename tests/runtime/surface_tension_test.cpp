@@ -276,6 +276,29 @@ TYPED_TEST(SurfaceTensionStep, AmbientPressureActsOnTheWholeSurface) {
     EXPECT_NEAR(pressed, pressure * area, 0.05 * pressure * area);
 }
 
+/// In the paper's form that is its face and weight.
+TYPED_TEST(SurfaceTensionStep, AmbientPressureActsOnThePapersFaces) {
+    using Real = typename TypeParam::Real;
+    constexpr int dimension = TypeParam::dimension;
+    const auto fluid = ball<Real, dimension>(dimension == 3 ? 5 : 10, 0.2);
+    auto options = options_for<dimension>(paper_options());
+    SurfaceTension<Real, dimension> plain(options);
+    options.ambient_pressure = 0.5;
+    SurfaceTension<Real, dimension> in_air(options);
+    plain.step(fluid.view(), fluid.size(), fluid.radii(), SerialLoop{});
+    in_air.step(fluid.view(), fluid.size(), fluid.radii(), SerialLoop{});
+    const double face = std::pow(0.5, dimension - 1);
+    const double pressure = 0.5 * (dimension - 1) * options.surface_tension;
+    for (std::size_t slot = 0; slot < plain.surface().size(); ++slot)
+        for (std::size_t axis = 0; axis < dimension; ++axis)
+            ASSERT_NEAR(static_cast<double>(plain.surface().force[slot][axis] -
+                                            in_air.surface().force[slot][axis]),
+                        pressure * face *
+                            static_cast<double>(plain.surface().weight[slot] *
+                                                plain.surface().normal[slot][axis]),
+                        1e-5 * pressure);
+}
+
 TEST(SurfaceTensionIds, KeyTheSamples) {
     const auto fluid = droplet<double, 3>();
     std::vector<std::uint32_t> ids(fluid.size());
